@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_INTERNAL_PIPELINE_H
+#define CCSWEEP_INTERNAL_PIPELINE_H
+
+#include <CCSweep/internal/Options.h>
+#include <CCSweep/internal/guarded.h>
+#include <CCSweep/linking/make_layering.h>
+#include <CCSweep/linking/make_wall_sections.h>
+#include <CCSweep/loops/sweep_layers.h>
+#include <CCSweep/part/Part.h>
+#include <CCSweep/part/Roles.h>
+#include <CCSweep/volumes/Decomposition.h>
+#include <CCSweep/volumes/draw_cuts.h>
+#include <CCSweep/volumes/make_cut_rows.h>
+#include <CCSweep/volumes/make_sub_volumes.h>
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace CCSweep::internal {
+
+/// Runs the stages one after another, tells the visitor and takes the time.
+template <class Visitor>
+class Stage_runner {
+ public:
+  explicit Stage_runner(Visitor& visitor) : visitor_(visitor) {}
+
+  template <class Function>
+  auto operator()(Stage stage, Function&& function) {
+    if (visitor_.cancel()) fail(Status_code::cancelled, stage, "cancelled");
+    visitor_.begin(stage, 0);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = function();
+    seconds_[name(stage)] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!result) throw Failure{result.status()};
+    visitor_.end(stage);
+    return std::move(result).value();
+  }
+
+  const std::map<std::string, double>& seconds() const { return seconds_; }
+
+ private:
+  Visitor& visitor_;
+  std::map<std::string, double> seconds_;
+};
+
+/// The stages from the roles on (section 2, steps 1 to 7), for one choice of roles.
+template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
+class Pipeline {
+  using Point_3 = typename Traits::Point_3;
+
+ public:
+  Pipeline(const Part<Traits>& part, const Options& options, Visitor& visitor, Stage_runner<Visitor>& run)
+      : part_(part), options_(options), visitor_(visitor), run_(run) {}
+
+  Decomposition<Point_3> operator()(const Roles& roles, int refinement) {
+    Layering_options layers = options_.layering;
+    layers.slabs *= 1 << refinement;
+    const double tolerance = options_.tolerance * part_.diagonal;
+
+    const Layering layering = run_(Stage::layers, [&] { return make_layering(part_, roles, layers); });
+    const Wall_sections sections =
+        run_(Stage::linking_mesh, [&] { return make_wall_sections(part_, roles, layering); });
+    Layered_loops<Traits> loops = run_(Stage::loop_faces, [&] {
+      return sweep_layers<Traits, SegmentIndex, PointIndex>(part_, roles, layering, sections, tolerance,
+                                                            options_.neighbours, visitor_);
+    });
+    const auto rows = run_(Stage::decomposition_sets, [&] { return make_cut_rows(part_, layering, loops); });
+    Decomposition<Point_3> result = run_(Stage::sub_volumes, [&] {
+      return guarded([&] {
+        const auto surface = value_or_fail(draw_cuts(part_, roles, loops, rows));
+        return value_or_fail(make_sub_volumes(part_, roles, layering, loops, rows, surface));
+      });
+    });
+    result.tolerance = tolerance;
+    return result;
+  }
+
+ private:
+  const Part<Traits>& part_;
+  const Options& options_;
+  Visitor& visitor_;
+  Stage_runner<Visitor>& run_;
+};
+
+}  // namespace CCSweep::internal
+
+#endif

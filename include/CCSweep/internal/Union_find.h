@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_INTERNAL_UNION_FIND_H
+#define CCSWEEP_INTERNAL_UNION_FIND_H
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CCSweep::internal {
+
+// Disjoint sets of the numbers below n. The smallest member stands for its set, whatever the order of the unions.
+class Union_find {
+ public:
+  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
+
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void join(std::size_t i, std::size_t j) {
+    i = root(i);
+    j = root(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace CCSweep::internal
+
+#endif

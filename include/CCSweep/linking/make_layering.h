@@ -1,0 +1,418 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LINKING_MAKE_LAYERING_H
+#define CCSWEEP_LINKING_MAKE_LAYERING_H
+
+#include <CCSweep/Status.h>
+#include <CCSweep/internal/Union_find.h>
+#include <CCSweep/internal/guarded.h>
+#include <CCSweep/linking/Layering.h>
+#include <CCSweep/part/Part.h>
+#include <CCSweep/part/Roles.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CCSweep {
+namespace internal {
+
+// Caps that touch each other along a curve stand on one level.
+struct Cap_group {
+  std::vector<Patch_index> caps;
+  double height = 0;  // mean over the area, along the sweep direction
+  bool flat = true;   // all in one plane across the sweep
+};
+
+// Two heights closer than this are one: what rounding in a rotated or far away part leaves.
+template <class Traits>
+double height_resolution(const Part<Traits>& part) {
+  return 1e-7 * part.diagonal + 1e-14 * part.largest_coordinate;
+}
+
+template <class Traits>
+std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) {
+  const auto& mesh = part.mesh;
+  Union_find sets(part.number_of_patches());
+  auto is_cap = [&](std::size_t p) { return roles.of_patch[p] != Role::linking; };
+  for (auto e : mesh.edges()) {
+    if (!part.feature[e]) continue;
+    const auto h = mesh.halfedge(e);
+    const std::size_t p = part.patch(mesh.face(h)).value(), q = part.patch(mesh.face(mesh.opposite(h))).value();
+    if (is_cap(p) && is_cap(q)) sets.join(p, q);
+  }
+  std::vector<Cap_group> groups;
+  std::vector<std::size_t> group_of(part.number_of_patches());
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    if (!is_cap(p)) continue;
+    if (sets.root(p) == p) {
+      group_of[p] = groups.size();
+      groups.emplace_back();
+    }
+    groups[group_of[sets.root(p)]].caps.push_back(Patch_index(p));
+  }
+  for (Cap_group& group : groups) {
+    double area = 0, low = 1e300, high = -1e300;
+    for (Patch_index p : group.caps)
+      for (auto f : part.faces[p.value()]) {
+        double sum = 0;
+        for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
+          const double h = dot(roles.direction, part.coordinates(v));
+          sum += h;
+          low = std::min(low, h);
+          high = std::max(high, h);
+        }
+        area += part.area[f];
+        group.height += part.area[f] * sum / 3;
+      }
+    group.height /= area;
+    group.flat = roles.is_straight() && high - low <= height_resolution(part);
+  }
+  return groups;
+}
+
+// A feature curve between linking faces that runs from one group of caps to another.
+struct Rising_curve {
+  int low, high;    // groups
+  double distance;  // along the sweep
+};
+
+template <class Traits>
+std::vector<int> groups_of_vertices(const Part<Traits>& part, const std::vector<int>& group_of_patch) {
+  std::vector<int> group_of_vertex(part.mesh.number_of_vertices(), -1);
+  for (auto f : part.mesh.faces())
+    if (const int g = group_of_patch[part.patch(f).value()]; g >= 0)
+      for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) group_of_vertex[v] = g;
+  return group_of_vertex;
+}
+
+template <class Traits>
+std::vector<Rising_curve> rising_curves(const Part<Traits>& part, const Roles& roles, const std::vector<int>& group_of_patch) {
+  const auto& mesh = part.mesh;
+  const std::vector<int> group_of_vertex = groups_of_vertices(part, group_of_patch);
+  auto is_rising = [&](auto h) {
+    return part.feature[mesh.edge(h)] && roles.of_patch[part.patch(mesh.face(h)).value()] == Role::linking &&
+           roles.of_patch[part.patch(mesh.face(mesh.opposite(h))).value()] == Role::linking;
+  };
+  auto rise = [&](auto h) {
+    return dot(roles.along(mesh.face(h)), part.coordinates(mesh.target(h)) - part.coordinates(mesh.source(h)));
+  };
+  std::vector<Rising_curve> curves;
+  for (auto start : mesh.halfedges()) {
+    if (!is_rising(start) || group_of_vertex[mesh.source(start)] < 0) continue;
+    auto h = start;
+    double distance = rise(h);
+    while (group_of_vertex[mesh.target(h)] < 0) {
+      auto onward = h;
+      int ways = 0;
+      for (auto in : mesh.halfedges_around_target(h))
+        if (in != h && is_rising(in)) {
+          onward = mesh.opposite(in);
+          ++ways;
+        }
+      if (ways != 1) break;
+      h = onward;
+      distance += rise(h);
+    }
+    const int g = group_of_vertex[mesh.source(start)], k = group_of_vertex[mesh.target(h)];
+    if (k >= 0 && g != k && distance > 0) curves.push_back({g, k, distance});
+  }
+  return curves;
+}
+
+// Where walls need not have feature curves: from every cap vertex the path over the linking faces' edges that rises
+// fastest.
+template <class Traits>
+std::vector<Rising_curve> rising_paths(const Part<Traits>& part, const Roles& roles,
+                                       const std::vector<int>& group_of_patch) {
+  using Vertex = typename Part<Traits>::Vertex;
+  const auto& mesh = part.mesh;
+  const std::vector<int> group_of_vertex = groups_of_vertices(part, group_of_patch);
+  std::vector<Rising_curve> paths;
+  for (Vertex start : mesh.vertices()) {
+    if (group_of_vertex[start] < 0) continue;
+    Vertex v = start;
+    double distance = 0;
+    for (std::size_t steps = 0; steps < mesh.number_of_edges(); ++steps) {
+      double best = 0.1, rise = 0;
+      Vertex next = v;
+      for (auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+        const auto f = mesh.face(h), g = mesh.face(mesh.opposite(h));
+        for (auto side : {f, g}) {
+          if (roles.of_patch[part.patch(side).value()] != Role::linking) continue;
+          const Vec3 step = part.coordinates(mesh.source(h)) - part.coordinates(v);
+          const double slope = dot(roles.along(side), unit(step));
+          if (slope <= best) continue;
+          best = slope;
+          rise = dot(roles.along(side), step);
+          next = mesh.source(h);
+        }
+      }
+      if (next == v) break;
+      v = next;
+      distance += rise;
+      if (group_of_vertex[v] >= 0) break;
+    }
+    const int g = group_of_vertex[start], k = group_of_vertex[v];
+    if (k >= 0 && g != k) paths.push_back({g, k, distance});
+  }
+  return paths;
+}
+
+// Bent groups have no one height. The curves that run up the linking faces from one group to another tell how far
+// apart they are: the heights become the least squares fit of these distances, held weakly at the means, which also
+// places the groups that no curve ties.
+template <class Traits>
+void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_group>& groups) {
+  if (std::all_of(groups.begin(), groups.end(), [](const Cap_group& g) { return g.flat; })) return;
+  std::vector<int> group_of_patch(part.number_of_patches(), -1);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (Patch_index p : groups[g].caps) group_of_patch[p.value()] = static_cast<int>(g);
+  const auto n = static_cast<Eigen::Index>(groups.size());
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  auto add = [&](int g, int h, double distance, double weight) {
+    m(g, g) += weight;
+    right(g) -= weight * distance;
+    if (h < 0) return;
+    m(h, h) += weight;
+    m(g, h) -= weight;
+    m(h, g) -= weight;
+    right(h) += weight * distance;
+  };
+  const auto curves = roles.is_straight() ? rising_curves(part, roles, group_of_patch)
+                                          : rising_paths(part, roles, group_of_patch);
+  for (const Rising_curve& c : curves) add(c.low, c.high, c.distance, 1);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    add(static_cast<int>(g), -1, -groups[g].height, groups[g].flat ? 1e-3 : 1e-6);
+  const Eigen::VectorXd heights = m.ldlt().solve(right);
+  for (std::size_t g = 0; g < groups.size(); ++g) groups[g].height = heights(static_cast<Eigen::Index>(g));
+}
+
+template <class Traits>
+void rank_levels(const Part<Traits>& part, std::vector<Cap_group>& groups, Layering& layering) {
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Cap_group& a, const Cap_group& b) { return a.height < b.height; });
+  layering.level_of_patch.assign(part.number_of_patches(), Level_index());
+  const Cap_group* last = nullptr;
+  for (const Cap_group& group : groups) {
+    if (!last || group.height - last->height > height_resolution(part)) {
+      layering.caps.emplace_back();
+      layering.layers.push_back(group.height);
+    }
+    last = &group;
+    for (Patch_index p : group.caps) {
+      layering.caps.back().push_back(p);
+      layering.level_of_patch[p.value()] = Level_index(layering.caps.size() - 1);
+    }
+  }
+  for (auto& caps : layering.caps) std::sort(caps.begin(), caps.end());
+}
+
+// The boundary of a cap carries the cap's own value.
+template <class Traits>
+void tie_cap_vertices(const Part<Traits>& part, Layering& layering) {
+  std::vector<Patch_index> tied(part.mesh.number_of_vertices());
+  for (std::size_t level = 0; level < layering.caps.size(); ++level)
+    for (Patch_index p : layering.caps[level])
+      for (auto f : part.faces[p.value()])
+        for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) {
+          if (tied[v].is_valid() && layering.parameter[v] != layering.layers[level])
+            fail(Status_code::inconsistent_levels, Stage::layers,
+                 "patches " + std::to_string(part.id(tied[v])) + " and " + std::to_string(part.id(p)) +
+                     " meet in a point but stand on different levels",
+                 {part.id(tied[v]), part.id(p)}, part.coordinates(v));
+          tied[v] = p;
+          layering.parameter[v] = layering.layers[level];
+        }
+}
+
+// A straight sweep between flat caps: the parameter is the height itself.
+template <class Traits>
+void use_heights(const Part<Traits>& part, const Roles& roles, Layering& layering) {
+  for (auto v : part.mesh.vertices())
+    if (std::isnan(layering.parameter[v])) layering.parameter[v] = dot(roles.direction, part.coordinates(v));
+}
+
+// A vertex that a row all but meets is a node of that row; otherwise rounding would make rows of slivers.
+template <class Traits>
+void snap_vertices_to_layers(const Part<Traits>& part, Layering& layering) {
+  const double resolution = height_resolution(part);
+  for (double& u : layering.parameter) {
+    auto layer = std::lower_bound(layering.layers.begin(), layering.layers.end(), u - resolution);
+    if (layer != layering.layers.end() && std::abs(*layer - u) <= resolution) u = *layer;
+  }
+}
+
+// Along a feature curve that rises over the linking faces from one cap to another the parameter grows evenly, as it does
+// where the curve has no inner vertices: rows must not depend on how finely curves are divided.
+template <class Traits>
+void tie_rising_curves(const Part<Traits>& part, const Roles& roles, Layering& layering) {
+  const auto& mesh = part.mesh;
+  const std::vector<double> tied = layering.parameter;
+  auto is_rising = [&](auto h) {
+    return part.feature[mesh.edge(h)] && roles.of_patch[part.patch(mesh.face(h)).value()] == Role::linking &&
+           roles.of_patch[part.patch(mesh.face(mesh.opposite(h))).value()] == Role::linking;
+  };
+  for (auto start : mesh.halfedges()) {
+    if (!is_rising(start) || std::isnan(tied[mesh.source(start)]) || !std::isnan(tied[mesh.target(start)])) continue;
+    std::vector<std::pair<typename Part<Traits>::Vertex, double>> inner;
+    double length = 0;
+    auto h = start;
+    for (;;) {
+      length += norm(part.coordinates(mesh.target(h)) - part.coordinates(mesh.source(h)));
+      if (!std::isnan(tied[mesh.target(h)]) || part.corner[mesh.target(h)]) break;
+      inner.push_back({mesh.target(h), length});
+      for (auto in : mesh.halfedges_around_target(h))
+        if (in != h && part.feature[mesh.edge(in)]) {
+          h = mesh.opposite(in);
+          break;
+        }
+    }
+    const double low = tied[mesh.source(start)], high = tied[mesh.target(h)];
+    if (!(low < high)) continue;
+    for (const auto& [v, l] : inner) layering.parameter[v] = low + (high - low) * (l / length);
+  }
+}
+
+// What the corner of a face at the target of a halfedge adds to the weights of its two edges there, over their length:
+// mean value weights (Floater 2003). They are positive, so that the solution has its extremes on the caps, and
+// reproduce linear functions, so that rows on a flat wall don't depend on how it is triangulated.
+template <class Traits>
+double corner_weight(const Part<Traits>& part, typename Part<Traits>::Halfedge h) {
+  const Vec3 v = part.coordinates(part.mesh.target(h));
+  const double corner =
+      angle(part.coordinates(part.mesh.source(h)) - v, part.coordinates(part.mesh.target(part.mesh.next(h))) - v);
+  return std::tan(std::clamp(corner, 1e-9, 3.14159) / 2);
+}
+
+// Between bent or leaning caps: harmonic on the linking faces, with the levels' values on the caps' curves.
+template <class Traits>
+void solve_harmonic(const Part<Traits>& part, const Roles& roles, Layering& layering) {
+  const auto& mesh = part.mesh;
+  std::vector<int> unknown(mesh.number_of_vertices(), -1);
+  int n = 0;
+  for (auto v : mesh.vertices())
+    if (std::isnan(layering.parameter[v])) unknown[v] = n++;
+  if (n == 0) return;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  for (auto h : mesh.halfedges()) {
+    const auto v = mesh.target(h);
+    if (unknown[v] < 0 || roles.of_patch[part.patch(mesh.face(h)).value()] != Role::linking) continue;
+    const double corner = corner_weight(part, h);
+    for (auto u : {mesh.source(h), mesh.target(mesh.next(h))}) {
+      const double w = corner / norm(part.coordinates(u) - part.coordinates(v));
+      entries.emplace_back(unknown[v], unknown[v], w);
+      if (unknown[u] >= 0)
+        entries.emplace_back(unknown[v], unknown[u], -w);
+      else
+        right[unknown[v]] += w * layering.parameter[u];
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
+  if (solver.info() != Eigen::Success)
+    fail(Status_code::inconsistent_levels, Stage::layers, "a linking face is tied to no source and no target");
+  const Eigen::VectorXd solution = solver.solve(right);
+  if (!solution.allFinite())
+    fail(Status_code::inconsistent_levels, Stage::layers, "a linking face is tied to no source and no target");
+  for (auto v : mesh.vertices())
+    if (unknown[v] >= 0) layering.parameter[v] = solution[unknown[v]];
+}
+
+// How far the sweep turns between two values, in radians: the largest angle between the directions that the linking
+// faces lead in and their mean, twice.
+template <class Traits>
+double turning_between(const Part<Traits>& part, const Roles& roles, const Layering& layering, double low,
+                       double high) {
+  if (roles.is_straight()) return 0;
+  std::vector<Vec3> directions;
+  Vec3 mean{};
+  for (auto f : part.mesh.faces()) {
+    if (roles.of_patch[part.patch(f).value()] != Role::linking) continue;
+    double least = 1e300, most = -1e300;
+    for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) {
+      least = std::min(least, layering.parameter[v]);
+      most = std::max(most, layering.parameter[v]);
+    }
+    if (most <= low || least >= high) continue;
+    directions.push_back(roles.along(f));
+    mean = mean + part.area[f] * roles.along(f);
+  }
+  double worst = 0;
+  for (const Vec3& d : directions) worst = std::max(worst, 2 * angle(d, mean));
+  return worst;
+}
+
+// Further rows between the levels, where walls bend or the user asks for them; the counts of sub-volumes and sets do
+// not depend on them.
+template <class Traits>
+void insert_rows(const Part<Traits>& part, const Roles& roles, const Layering_options& options,
+                 Layering& layering) {
+  const std::vector<double> levels = layering.layers;
+  layering.layers.clear();
+  layering.level_of_layer.clear();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    layering.layers.push_back(levels[i]);
+    layering.level_of_layer.push_back(Level_index(i));
+    if (i + 1 == levels.size()) break;
+    const double gap = levels[i + 1] - levels[i];
+    const double turning = turning_between(part, roles, layering, levels[i], levels[i + 1]);
+    const double spanning = options.spanning_angle * 3.14159265358979323846 / 180;
+    std::size_t slabs = 1 + static_cast<std::size_t>(turning / spanning);
+    slabs = std::max(slabs, static_cast<std::size_t>(options.slabs));
+    for (std::size_t k = 1; k < slabs; ++k) {
+      layering.layers.push_back(levels[i] + gap * double(k) / double(slabs));
+      layering.level_of_layer.push_back(Level_index());
+    }
+  }
+}
+
+inline void check_options(const Layering_options& options) {
+  if (!(options.spanning_angle > 0 && options.spanning_angle <= 180))
+    fail(Status_code::invalid_parameter, Stage::layers, "the spanning angle must lie between 0 and 180 degrees");
+  if (options.slabs < 1 || options.slabs > 10000)
+    fail(Status_code::invalid_parameter, Stage::layers, "the number of layers must lie between 1 and 10000");
+}
+
+}  // namespace internal
+
+/// Computes the sweep parameter, ranks the caps into levels and places the layers (sections 2.1 to 2.3).
+///
+/// Between flat caps across a straight sweep the parameter is the height; otherwise it is harmonic on the linking
+/// faces with one value on each group of connected caps. A cap's level is the rank of its parameter among all caps,
+/// so blind pockets and leg tips, which no wall ties to the caps around them, have one as well.
+/// \return `inconsistent_levels` naming the patches where caps contradict each other.
+/// Complexity: O(n log n); the harmonic case solves one sparse system.
+template <class Traits>
+Result<Layering> make_layering(const Part<Traits>& part, const Roles& roles, const Layering_options& options) {
+  return internal::guarded([&] {
+    using namespace internal;
+    check_options(options);
+    Layering layering;
+    layering.parameter.assign(part.mesh.number_of_vertices(), Layering::none);
+    std::vector<Cap_group> groups = group_caps(part, roles);
+    fit_heights(part, roles, groups);
+    rank_levels(part, groups, layering);
+    tie_cap_vertices(part, layering);
+    if (std::all_of(groups.begin(), groups.end(), [](const Cap_group& g) { return g.flat; })) {
+      use_heights(part, roles, layering);
+    } else {
+      tie_rising_curves(part, roles, layering);
+      solve_harmonic(part, roles, layering);
+    }
+    insert_rows(part, roles, options, layering);
+    snap_vertices_to_layers(part, layering);
+    return layering;
+  });
+}
+
+}  // namespace CCSweep
+
+#endif

@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LINKING_MAKE_WALL_SECTIONS_H
+#define CCSWEEP_LINKING_MAKE_WALL_SECTIONS_H
+
+#include <CCSweep/Status.h>
+#include <CCSweep/internal/guarded.h>
+#include <CCSweep/linking/Layering.h>
+#include <CCSweep/linking/Wall_sections.h>
+#include <CCSweep/part/Part.h>
+#include <CCSweep/part/Roles.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CCSweep {
+namespace internal {
+
+template <class Traits>
+class Wall_tracer {
+  using Part_type = Part<Traits>;
+  using Face = typename Part_type::Face;
+  using Halfedge = typename Part_type::Halfedge;
+  using Vertex = typename Part_type::Vertex;
+
+ public:
+  Wall_tracer(const Part_type& part, const Roles& roles, const Layering& layering)
+      : part_(part), roles_(roles), layering_(layering) {
+    distribute_faces();
+    find_sharp_edges();
+  }
+
+  Wall_sections run() {
+    Wall_sections sections;
+    const std::size_t n = layering_.number_of_layers();
+    sections.arriving.resize(n);
+    sections.leaving.resize(n);
+    sections.strips.resize(n);
+    std::vector<Face> first_of_leaving, first_of_arriving;
+    for (std::size_t k = 0; k + 1 < n; ++k) {
+      sections.leaving[k] = trace_loops(k, k, +1, first_of_leaving);
+      sections.arriving[k + 1] = trace_loops(k, k + 1, -1, first_of_arriving);
+      sections.strips[k] = pair_loops(k, first_of_leaving, first_of_arriving);
+      for (Wall_strip& strip : sections.strips[k])
+        find_rails(sections.leaving[k][strip.bottom], sections.arriving[k + 1][strip.top], k, strip);
+    }
+    return sections;
+  }
+
+ private:
+  // Where the region on one side of a layer's value meets that value inside a face, in the sense of the section.
+  struct Row_piece {
+    Surface_location from, to;
+    Halfedge way_out;  // the halfedge to cross to get to the next piece
+    Wall_loop::Carrier carrier;
+    bool is_point = false;
+  };
+
+  double parameter(Vertex v) const { return layering_.parameter[v]; }
+  bool is_wall(Face f) const { return roles_.of_patch[part_.patch(f).value()] == Role::linking; }
+
+  // The faces of the linking patches by the slabs between layers that they reach into.
+  void distribute_faces() {
+    const auto& layers = layering_.layers;
+    faces_of_slab_.resize(layers.size());
+    for (Face f : part_.mesh.faces()) {
+      if (!is_wall(f)) continue;
+      double low = 1e300, high = -1e300;
+      for (Vertex v : part_.mesh.vertices_around_face(part_.mesh.halfedge(f))) {
+        low = std::min(low, parameter(v));
+        high = std::max(high, parameter(v));
+      }
+      if (!(low >= layers.front() && high <= layers.back()))
+        fail(Status_code::inconsistent_levels, Stage::linking_mesh,
+             "linking patch " + std::to_string(part_.id(part_.patch(f))) + " reaches beyond the last source or target",
+             {part_.id(part_.patch(f))}, place_of(f));
+      if (low == high)
+        fail(Status_code::linking_face_not_mappable, Stage::linking_mesh,
+             "linking patch " + std::to_string(part_.id(part_.patch(f))) + " has a facet across the sweep",
+             {part_.id(part_.patch(f))}, place_of(f));
+      std::size_t k = std::upper_bound(layers.begin(), layers.end(), low) - layers.begin() - 1;
+      for (; k + 1 < layers.size() && layers[k] < high; ++k) faces_of_slab_[k].push_back(f);
+    }
+  }
+
+  void find_sharp_edges() {
+    constexpr double smooth = 20 * 3.14159265358979323846 / 180;
+    sharp_.assign(part_.mesh.number_of_edges(), false);
+    for (auto e : part_.mesh.edges()) {
+      const auto h = part_.mesh.halfedge(e);
+      const Face f = part_.mesh.face(h), g = part_.mesh.face(part_.mesh.opposite(h));
+      sharp_[e] = part_.feature[e] && is_wall(f) && is_wall(g) && angle(part_.normal[f], part_.normal[g]) > smooth;
+    }
+  }
+
+  std::array<double, 3> place_of(Face f) const {
+    return part_.coordinates(part_.mesh.target(part_.mesh.halfedge(f)));
+  }
+
+  Surface_location crossing(Halfedge h, double value) const {
+    const auto e = part_.mesh.edge(h);
+    const Halfedge first = part_.first_halfedge(e);
+    const double a = parameter(part_.mesh.source(first)), b = parameter(part_.mesh.target(first));
+    return Surface_location::edge(e, (value - a) / (b - a));
+  }
+
+  // side +1: the region above the value, whose row leaves upwards; -1: the one below, whose row arrives.
+  std::optional<Row_piece> row_piece(Face f, double value, int side) const {
+    const auto& mesh = part_.mesh;
+    Halfedge out, in;  // the region's border turns onto the row at `out` and leaves it at `in`
+    for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const bool a = side * (parameter(mesh.source(h)) - value) > 0, b = side * (parameter(mesh.target(h)) - value) > 0;
+      if (a && !b) out = h;
+      if (!a && b) in = h;
+    }
+    if (!out.is_valid() || !in.is_valid()) return std::nullopt;
+    Row_piece piece;
+    const Vertex v = mesh.target(out), w = mesh.source(in);
+    piece.from = parameter(v) == value ? Surface_location::vertex(v) : crossing(out, value);
+    piece.to = parameter(w) == value ? Surface_location::vertex(w) : crossing(in, value);
+    piece.way_out = in;
+    piece.is_point = piece.from.same_place(piece.to);
+    piece.carrier = {false, static_cast<std::uint32_t>(f)};
+    if (parameter(v) == value && parameter(w) == value && v != w)
+      piece.carrier = {true, static_cast<std::uint32_t>(mesh.edge(mesh.next(out)))};
+    if (side < 0) {  // below a row the same turn runs the other way
+      std::swap(piece.from, piece.to);
+      piece.way_out = out;
+    }
+    return piece;
+  }
+
+  std::vector<Wall_loop> trace_loops(std::size_t slab, std::size_t layer, int side, std::vector<Face>& first) {
+    const double value = layering_.layers[layer];
+    std::vector<Wall_loop> loops;
+    first.clear();
+    std::set<Face> done;
+    for (Face start : faces_of_slab_[slab]) {
+      const auto piece = row_piece(start, value, side);
+      if (!piece || piece->is_point || done.count(start)) continue;
+      first.push_back(start);
+      loops.push_back(trace_loop(start, value, side, done));
+    }
+    return loops;
+  }
+
+  Wall_loop trace_loop(Face start, double value, int side, std::set<Face>& done) const {
+    Wall_loop loop;
+    Face f = start;
+    do {
+      const auto piece = row_piece(f, value, side);
+      if (!is_wall(f) || !piece)
+        fail(Status_code::inconsistent_levels, Stage::linking_mesh,
+             "the row of the linking mesh at " + std::to_string(value) + " runs into patch " +
+                 std::to_string(part_.id(part_.patch(f))),
+             {part_.id(part_.patch(f))}, place_of(f));
+      if (!piece->is_point) {
+        loop.nodes.push_back(piece->from);
+        loop.carriers.push_back(piece->carrier);
+        done.insert(f);
+      }
+      f = part_.mesh.face(part_.mesh.opposite(piece->way_out));
+    } while (f != start);
+    return loop;
+  }
+
+  // Two loops belong together when the linking faces join them between the two layers.
+  std::vector<Wall_strip> pair_loops(std::size_t slab, const std::vector<Face>& bottoms,
+                                     const std::vector<Face>& tops) const {
+    const double low = layering_.layers[slab], high = layering_.layers[slab + 1];
+    std::map<Face, std::size_t> component;
+    std::vector<Face> stack;
+    for (std::size_t i = 0; i < bottoms.size(); ++i) {
+      if (!component.emplace(bottoms[i], i).second) report_unpaired(slab, bottoms[i]);
+      stack.push_back(bottoms[i]);
+      while (!stack.empty()) {
+        const Face f = stack.back();
+        stack.pop_back();
+        for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(f))) {
+          const double a = parameter(part_.mesh.source(h)), b = parameter(part_.mesh.target(h));
+          if (std::max(a, b) <= low || std::min(a, b) >= high) continue;
+          const Face g = part_.mesh.face(part_.mesh.opposite(h));
+          if (component.emplace(g, i).second) stack.push_back(g);
+        }
+      }
+    }
+    std::vector<Wall_strip> strips(bottoms.size());
+    std::vector<bool> paired(bottoms.size(), false);
+    for (std::size_t j = 0; j < tops.size(); ++j) {
+      const auto found = component.find(tops[j]);
+      if (found == component.end() || paired[found->second]) report_unpaired(slab, tops[j]);
+      paired[found->second] = true;
+      strips[found->second] = {found->second, j, {}};
+    }
+    for (std::size_t i = 0; i < bottoms.size(); ++i)
+      if (!paired[i]) report_unpaired(slab, bottoms[i]);
+    return strips;
+  }
+
+  [[noreturn]] void report_unpaired(std::size_t slab, Face f) const {
+    fail(Status_code::inconsistent_levels, Stage::linking_mesh,
+         "between the layers at " + std::to_string(layering_.layers[slab]) + " and " +
+             std::to_string(layering_.layers[slab + 1]) + " the linking faces about patch " +
+             std::to_string(part_.id(part_.patch(f))) + " do not run from one loop to one loop",
+         {part_.id(part_.patch(f))}, place_of(f));
+  }
+
+  void find_rails(const Wall_loop& bottom, const Wall_loop& top, std::size_t slab, Wall_strip& strip) const {
+    std::map<std::pair<int, std::uint32_t>, std::size_t> position;
+    auto key = [](const Surface_location& p) { return std::pair(int(p.kind), p.index); };
+    for (std::size_t i = 0; i < top.size(); ++i) position.emplace(key(top.nodes[i]), i);
+    for (std::size_t i = 0; i < bottom.size(); ++i) {
+      const auto end = climb(bottom.nodes[i], layering_.layers[slab + 1]);
+      if (!end) continue;
+      const auto found = position.find(key(*end));
+      if (found != position.end()) strip.rails.push_back({i, found->second});
+    }
+    // Rails that change their order about the ring are no columns.
+    std::size_t turns = 0;
+    for (std::size_t i = 0; i < strip.rails.size(); ++i)
+      turns += strip.rails[(i + 1) % strip.rails.size()].top <= strip.rails[i].top;
+    if (turns > 1) strip.rails.clear();
+  }
+
+  // Follows sharp edges upwards from a node to the value of the next layer.
+  std::optional<Surface_location> climb(Surface_location at, double value) const {
+    const auto& mesh = part_.mesh;
+    Vertex v;
+    if (at.kind == Surface_location::Kind::edge) {
+      const typename Part_type::Edge e(at.index);
+      if (!sharp_[e]) return std::nullopt;
+      Halfedge h = mesh.halfedge(e);
+      if (parameter(mesh.target(h)) < parameter(mesh.source(h))) h = mesh.opposite(h);
+      if (parameter(mesh.target(h)) > value) return crossing(h, value);
+      v = mesh.target(h);
+    } else {
+      v = Vertex(at.index);
+    }
+    Vec3 heading{};
+    while (parameter(v) < value) {
+      const Halfedge h = steepest_sharp_edge(v, heading);
+      if (!h.is_valid()) return std::nullopt;
+      if (parameter(mesh.target(h)) > value) return crossing(h, value);
+      heading = unit(part_.coordinates(mesh.target(h)) - part_.coordinates(v));
+      v = mesh.target(h);
+    }
+    return Surface_location::vertex(v);
+  }
+
+  // Of the sharp edges that rise from a vertex the one that goes on straightest.
+  Halfedge steepest_sharp_edge(Vertex v, const Vec3& heading) const {
+    const auto& mesh = part_.mesh;
+    Halfedge best;
+    double best_score = -2;
+    for (Halfedge in : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      const Halfedge h = mesh.opposite(in);
+      if (!sharp_[mesh.edge(h)] || !(parameter(mesh.target(h)) > parameter(v))) continue;
+      const double score = dot(heading, unit(part_.coordinates(mesh.target(h)) - part_.coordinates(v)));
+      if (score <= best_score) continue;
+      best_score = score;
+      best = h;
+    }
+    return best;
+  }
+
+  const Part_type& part_;
+  const Roles& roles_;
+  const Layering& layering_;
+  std::vector<std::vector<Face>> faces_of_slab_;
+  std::vector<bool> sharp_;
+};
+
+}  // namespace internal
+
+/// Meshes the linking faces by rows: traces, on every layer, the closed loops in which the linking faces meet it, and
+/// pairs the loops of neighbouring layers over the ring of linking faces between them (sections 2.2 and 2.4).
+///
+/// Rows sit where the sweep parameter says. Walls with windows, C-shaped walls and walls without a seam need nothing
+/// of their own, as between two layers every wall is a ring.
+/// \return `inconsistent_levels` or `linking_face_not_mappable` with the patch and the place where the linking faces
+/// form no such rings.
+/// Complexity: O(n log n) in the faces, each counted once for every layer it reaches across.
+template <class Traits>
+Result<Wall_sections> make_wall_sections(const Part<Traits>& part, const Roles& roles, const Layering& layering) {
+  return internal::guarded([&] { return internal::Wall_tracer<Traits>(part, roles, layering).run(); });
+}
+
+}  // namespace CCSweep
+
+#endif

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LOOPS_IMPRINT_H
+#define CCSWEEP_LOOPS_IMPRINT_H
+
+#include <CCSweep/Status.h>
+#include <CCSweep/concepts.h>
+#include <CCSweep/internal/guarded.h>
+#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/loops/Loop_face_graph.h>
+#include <CCSweep/loops/overlay_build.h>
+#include <CCSweep/loops/overlay_chains.h>
+#include <CCSweep/loops/overlay_edges.h>
+#include <CCSweep/loops/overlay_pieces.h>
+#include <CCSweep/loops/overlay_snap.h>
+#include <CCSweep/loops/segment_index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CCSweep {
+
+/// A layer after its imprint.
+template <class Traits>
+struct Imprint {
+  using Point_2 = typename Traits::Point_2;
+
+  /// A straight piece of a LoopEdge between two neighbouring nodes.
+  struct Segment {
+    Node_index source, target;
+    Loop_label left, right;                 ///< empty on the outside
+    Loop_face_index left_face, right_face;  ///< invalid on the outside
+    Loop_coedge_index coedge;               ///< the LoopCoEdge that runs the same way and has `left_face` on its left
+  };
+
+  Loop_face_graph<Traits> graph;
+  std::vector<Point_2> points;             ///< of all nodes: those of the drawing where they are now, then new ones
+  std::vector<bool> fixed;                 ///< per node: lies on the input surface
+  std::vector<bool> corner;                ///< per node: is a LoopVertex whatever meets there
+  std::vector<Node_index> representative;  ///< per node of the drawing: the node it was merged into, else itself
+  Node_chains chains;                      ///< per segment of the drawing: the nodes from its source to its target
+  std::vector<Segment> segments;           ///< all that remains, ascending by end nodes; source < target
+  std::vector<int> lost;                   ///< labels of the drawing that no LoopFace has any more
+  std::vector<std::string> notes;          ///< what was merged away
+
+  /// The LoopFaces in a source and a target: the paper's Theta(o).
+  std::vector<Loop_face_index> overlaps() const { return select(true, true); }
+  /// The LoopFaces in a source only: the paper's Theta(s).
+  std::vector<Loop_face_index> source_only() const { return select(true, false); }
+  /// The LoopFaces in a target only: the paper's Theta(t).
+  std::vector<Loop_face_index> target_only() const { return select(false, true); }
+
+ private:
+  std::vector<Loop_face_index> select(bool in_source, bool in_target) const {
+    std::vector<Loop_face_index> result;
+    for (std::size_t i = 0; i < graph.number_of_loop_faces(); ++i) {
+      const Loop_label label = graph.label(Loop_face_index(i));
+      if ((label.source != Loop_label::none) == in_source && (label.target != Loop_label::none) == in_target) {
+        result.emplace_back(i);
+      }
+    }
+    return result;
+  }
+};
+
+namespace internal {
+
+// In linear time: each segment is put where those with its lower node belong.
+template <class Traits>
+std::vector<typename Imprint<Traits>::Segment> elementary_segments(const Overlay_edges& edges,
+                                                                   const Graph_builder<Traits>& builder,
+                                                                   const Loop_face_graph<Traits>& graph,
+                                                                   std::size_t number_of_nodes) {
+  using Segment = typename Imprint<Traits>::Segment;
+  std::vector<std::uint32_t> place(number_of_nodes + 1, 0);
+  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+    const std::span<const Node_index> path = edges.path(e);
+    for (std::size_t i = 1; i < path.size(); ++i) ++place[std::min(path[i - 1], path[i]).value() + 1];
+  }
+  for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
+  std::vector<Segment> result(place.back());
+  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+    const Loop_coedge_index up = builder.coedge(2 * e), down = graph.opposite(up);
+    const Loop_label left = graph.label(up), right = graph.label(down);
+    const Loop_face_index left_face = graph.loop_face(up), right_face = graph.loop_face(down);
+    const std::span<const Node_index> path = edges.path(e);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Node_index n = path[i - 1], m = path[i];
+      result[place[std::min(n, m).value()]++] = n < m ? Segment{n, m, left, right, left_face, right_face, up}
+                                                      : Segment{m, n, right, left, right_face, left_face, down};
+    }
+  }
+  const auto before = [](const Segment& s, const Segment& t) { return s.target < t.target; };
+  std::uint32_t first = 0;
+  for (const std::uint32_t last : place) {  // where the segments of a node end now
+    if (last > first + 1) std::sort(result.begin() + first, result.begin() + last, before);
+    first = last;
+  }
+  return result;
+}
+
+template <class Traits>
+void draw_loops(Layer_drawing<Traits>& drawing, const std::vector<std::vector<typename Traits::Point_2>>& loops,
+                const Loop_label& inside) {
+  for (const auto& loop : loops) {
+    const std::size_t first = drawing.nodes.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      drawing.nodes.push_back({loop[i]});
+      drawing.segments.push_back({Node_index(first + i), Node_index(first + (i + 1) % loop.size()), inside, {}});
+    }
+  }
+}
+
+// Finds the labels of the drawing of which nothing is left.
+template <class Traits>
+void find_lost(const Layer_drawing<Traits>& drawing, Imprint<Traits>& imprint) {
+  std::vector<int> before, after;
+  Loop_label last;
+  for (const auto& segment : drawing.segments) {
+    for (const Loop_label& l : {segment.left, segment.right}) {
+      if (l.empty() || l == last) continue;
+      before.insert(before.end(), {l.source, l.target});
+      last = l;
+    }
+  }
+  after.push_back(Loop_label::none);
+  for (std::size_t f = 0; f < imprint.graph.number_of_loop_faces(); ++f) {
+    const Loop_label l = imprint.graph.label(Loop_face_index(f));
+    after.insert(after.end(), {l.source, l.target});
+  }
+  std::sort(before.begin(), before.end());
+  before.erase(std::unique(before.begin(), before.end()), before.end());
+  std::sort(after.begin(), after.end());
+  std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(imprint.lost));
+}
+
+template <class Traits, class SegmentIndex>
+Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance) {
+  Imprint<Traits> result;
+  using Pieces = Overlay_pieces<Traits>;
+  const double rounding = checked_rounding(drawing, tolerance);
+  const double off = has_exact_constructions<typename Traits::FT> ? 0 : rounding;
+  Snapped_drawing<Traits> snapped = snap<Traits, SegmentIndex>(drawing, tolerance, rounding, Pieces::slack(off));
+  Layer_nodes<Traits>& nodes = snapped.nodes;
+
+  const auto is_fixed = [&](std::size_t s) { return drawing.segments[s].fixed; };
+  Pieces pieces(nodes, snapped.chains, is_fixed, std::move(snapped.near), tolerance, off);
+  pieces.split_all();
+  result.chains = pieces.expanded();
+
+  const Overlay_edges edges = Edge_sum<Traits>::of(drawing.segments, result.chains, nodes);
+  const Planar_map<Traits> map(nodes, edges);
+  Graph_builder<Traits> builder(map, nodes, flooded_labels(map, nodes));
+  result.graph = std::move(builder.graph());
+  result.segments = elementary_segments(edges, builder, result.graph, nodes.points.size());
+
+  result.points = std::move(nodes.points);
+  result.fixed = std::move(nodes.fixed);
+  result.corner = std::move(nodes.corner);
+  result.representative = std::move(nodes.representative);
+  result.notes = std::move(nodes.notes);
+  find_lost(drawing, result);
+  return result;
+}
+
+}  // namespace internal
+
+/// Imprints and merges the sources and targets of a layer (section 2.7): overlays everything drawn into one graph of
+/// LoopFaces, each with the source and the target it is part of.
+///
+/// First the drawing is snapped; the rules, in this order:
+/// 1. Nodes with equal points are merged. With `tolerance` 0 that is all.
+/// 2. A free node within the tolerance of a fixed node merges into it, then free nodes into corners, then free nodes
+///    into one another; nearest first. Fixed nodes never move, nor do fixed segments.
+/// 3. A free node within the tolerance of a fixed segment moves to the foot on it (or to an end that is within the
+///    tolerance of the foot), becomes fixed, and splits the segment.
+/// 4. A node within the tolerance of a free segment splits it, and the segment bends through the node. Fixed segments,
+///    and free ones between two points of a fixed one, bend through nodes within rounding only.
+/// In 3 and 4 the tolerance is the larger of `tolerance` and the chord errors where the segment and a segment of the
+/// node both stand for arcs and run within 30 degrees of each other. No rule reaches further than a third of the
+/// distance to the nearest fixed feature that is not incident to node or segment.
+/// Then the overlay is exact: every decision is an exact predicate. Where the kernel rounds constructions, the pieces
+/// at a rounded crossing are tested again, a bounded number of times.
+///
+/// What coincident segments say of a set adds up; edges that then say nothing are dropped. Edges are joined into
+/// LoopEdges through nodes where nothing ends and that are no corners. A closed curve without a LoopVertex gets two,
+/// both of degree 2 and no corners.
+///
+/// @tparam Traits a model of `SweepTraits`
+/// @tparam SegmentIndex a model of `SegmentIndex_2`
+/// @param tolerance absolute, in units of the chart; not negative
+/// @return `imprint_failed` with place and patch ids where pieces of one set overlap, an outline is not closed, or
+/// rounding does not settle; `invalid_parameter` for a bad tolerance, a segment whose nodes do not exist or a point
+/// that is not finite.
+/// The place is in the chart, its third coordinate 0.
+///
+/// O((n + k) log n) for n segments and k crossings and snaps, where boxes of distant segments seldom overlap.
+template <SweepTraits Traits, SegmentIndex_2 SegmentIndex = Rtree_segment_index_2<Traits>>
+Result<Imprint<Traits>> imprint_layer(const Layer_drawing<Traits>& drawing, double tolerance) {
+  return internal::guarded([&] {
+    return internal::imprinted<Traits, SegmentIndex>(drawing, tolerance);
+  });
+}
+
+/// The imprint operator of Fig. 11 for two faces: cuts S and T into what they share and what is in one of them only,
+/// which the queries `overlaps()`, `source_only()` and `target_only()` of the result list. All nodes are free.
+///
+/// @param s, t the loops of the faces, with the face on their left: outer ones counterclockwise, inner ones clockwise
+/// @return as `imprint_layer`; the label of S is source 0, that of T target 0
+template <SweepTraits Traits, SegmentIndex_2 SegmentIndex = Rtree_segment_index_2<Traits>>
+Result<Imprint<Traits>> imprint_faces(const std::vector<std::vector<typename Traits::Point_2>>& s,
+                                      const std::vector<std::vector<typename Traits::Point_2>>& t, double tolerance) {
+  Layer_drawing<Traits> drawing;
+  internal::draw_loops(drawing, s, Loop_label{0, Loop_label::none});
+  internal::draw_loops(drawing, t, Loop_label{Loop_label::none, 0});
+  return imprint_layer<Traits, SegmentIndex>(drawing, tolerance);
+}
+
+}  // namespace CCSweep
+
+#endif

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LOOPS_OVERLAY_BUILD_H
+#define CCSWEEP_LOOPS_OVERLAY_BUILD_H
+
+#include <CCSweep/loops/Loop_face_graph.h>
+#include <CCSweep/loops/overlay_planar_map.h>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CCSweep::internal {
+
+// Makes the LoopFace graph from the subdivision of a layer: edges are joined into LoopEdges through nodes where
+// nothing ends, faces without a label become the outside.
+template <class Traits>
+class Graph_builder {
+ public:
+  Graph_builder(const Planar_map<Traits>& map, const Layer_nodes<Traits>& nodes, const std::vector<Loop_label>& labels)
+      : map_(map), coedges_(map.number_of_halfedges()), vertices_(nodes.points.size()), is_end_(nodes.points.size()) {
+    for (std::size_t n = 0; n < nodes.points.size(); ++n) {
+      is_end_[n] = map.degree(Node_index(n)) > 0 && (map.degree(Node_index(n)) != 2 || nodes.corner[n]);
+    }
+    add_edges();
+    link();
+    add_faces(labels);
+  }
+
+  Loop_face_graph<Traits>& graph() { return graph_; }
+  // The coedge that a halfedge of the subdivision became a part of.
+  Loop_coedge_index coedge(std::size_t halfedge) const { return coedges_[halfedge]; }
+
+ private:
+  void add_edges() {
+    for (std::size_t h = 0; h < coedges_.size(); ++h) {
+      if (!coedges_[h].is_valid() && is_end(map_.source(h))) add_edge(h);
+    }
+    // What is left are closed curves without a vertex. They get one here, and the second by the rule below.
+    for (std::size_t h = 0; h < coedges_.size(); ++h) {
+      if (coedges_[h].is_valid()) continue;
+      is_end_[map_.source(h).value()] = true;
+      add_edge(h);
+    }
+  }
+
+  void add_edge(std::size_t start) {
+    run_.assign(1, start);
+    while (!is_end(map_.target(run_.back()))) run_.push_back(map_.next(run_.back()));
+    const std::span<const std::size_t> run(run_);
+    if (map_.target(run.back()) != map_.source(start)) return add_edge(run);
+    // A curve that returns to its only vertex gets another one, for a self-loop is no edge of a halfedge graph.
+    const std::size_t half = run.size() / 2;
+    is_end_[map_.source(run[half]).value()] = true;
+    add_edge(run.first(half));
+    add_edge(run.subspan(half));
+  }
+
+  void add_edge(std::span<const std::size_t> run) {
+    std::vector<Node_index> chain = nodes(run);
+    const Loop_vertex_index source = vertex(chain.front()), target = vertex(chain.back());
+    const Loop_coedge_index coedge = graph_.add_edge(source, target, std::move(chain));
+    for (std::size_t h : run) {
+      coedges_[h] = coedge;
+      coedges_[h ^ 1] = graph_.opposite(coedge);
+    }
+  }
+
+  std::vector<Node_index> nodes(std::span<const std::size_t> run) const {
+    std::size_t size = 1;
+    for (std::size_t h : run) size += map_.path(h / 2).size() - 1;
+    std::vector<Node_index> result;
+    result.reserve(size);
+    result.push_back(map_.source(run.front()));
+    for (std::size_t h : run) {
+      const std::span<const Node_index> path = map_.path(h / 2);
+      if (h % 2 == 0) {
+        result.insert(result.end(), path.begin() + 1, path.end());
+      } else {
+        result.insert(result.end(), path.rbegin() + 1, path.rend());
+      }
+    }
+    return result;
+  }
+
+  void link() {
+    for (std::size_t h = 0; h < coedges_.size(); ++h) {
+      if (is_end(map_.target(h))) graph_.set_next(coedges_[h], coedges_[map_.next(h)]);
+    }
+  }
+
+  void add_faces(const std::vector<Loop_label>& labels) {
+    std::vector<Loop_coedge_index> inner;
+    for (std::size_t face = 1; face < map_.number_of_faces(); ++face) {
+      if (labels[face].empty()) continue;
+      Loop_coedge_index outer;
+      inner.clear();
+      map_.for_each_cycle(face, [&](std::size_t h) {
+        if (outer.is_valid()) inner.push_back(coedges_[h]);
+        else outer = coedges_[h];
+      });
+      graph_.add_loop_face(labels[face], outer, inner);
+    }
+  }
+
+  bool is_end(Node_index n) const { return is_end_[n.value()]; }
+
+  Loop_vertex_index vertex(Node_index n) {
+    Loop_vertex_index& v = vertices_[n.value()];
+    if (!v.is_valid()) v = graph_.add_vertex(n);
+    return v;
+  }
+
+  const Planar_map<Traits>& map_;
+  Loop_face_graph<Traits> graph_;
+  std::vector<Loop_coedge_index> coedges_;
+  std::vector<Loop_vertex_index> vertices_;
+  std::vector<bool> is_end_;
+  std::vector<std::size_t> run_;
+};
+
+}  // namespace CCSweep::internal
+
+#endif

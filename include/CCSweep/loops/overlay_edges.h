@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LOOPS_OVERLAY_EDGES_H
+#define CCSWEEP_LOOPS_OVERLAY_EDGES_H
+
+#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/loops/overlay_chains.h>
+#include <CCSweep/loops/overlay_crossing.h>
+#include <CCSweep/loops/overlay_labels.h>
+#include <CCSweep/loops/overlay_nodes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CCSweep::internal {
+
+// An edge of the overlay: a path of pieces that ascends by xy, between whose ends nothing else ends. It speaks for a
+// set if its sides differ there.
+struct Overlay_edge {
+  Node_index a, b;             // the ends of the path; a is less than b by xy
+  std::uint32_t first, size;   // its nodes, both ends included, in the list of all edges
+  std::array<Sides, 2> sides;  // in the sources, in the targets
+
+  bool speaks(int set) const { return sides[set].left != sides[set].right; }
+};
+
+struct Overlay_edges {
+  std::vector<Node_index> nodes;
+  std::vector<Overlay_edge> edges;
+
+  std::span<const Node_index> path(std::size_t edge) const {
+    return {nodes.data() + edges[edge].first, edges[edge].size};
+  }
+};
+
+// Steps 4 and 5 of the outline in section 2.7, *merge coincident* vertices and edges: joins the pieces into paths,
+// adds up what the drawing says of coincident ones, and keeps the edges that say anything. Linear, for a bounded
+// number of edges at a node.
+template <class Traits>
+class Edge_sum {
+ public:
+  using Segment = typename Layer_drawing<Traits>::Segment;
+
+  // `chains` are those of the segments, split until they meet in nodes only.
+  static Overlay_edges of(const std::vector<Segment>& segments, const Node_chains& chains,
+                          const Layer_nodes<Traits>& nodes) {
+    Edge_sum sum(nodes);
+    sum.count_ends(segments, chains);
+    sum.make_paths(segments, chains);
+    sum.sort();
+    sum.merge_coincident();
+    return std::move(sum.result_);
+  }
+
+ private:
+  explicit Edge_sum(const Layer_nodes<Traits>& nodes) : nodes_(nodes), degree_(nodes.points.size(), 0) {}
+
+  static bool is_silent(const Segment& segment) { return segment.left == segment.right; }
+
+  void count_ends(const std::vector<Segment>& segments, const Node_chains& chains) {
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      if (is_silent(segments[s])) continue;
+      const std::span<const Node_index> chain = chains[s];
+      for (std::size_t i = 1; i < chain.size(); ++i) {
+        ++degree_[chain[i - 1].value()];
+        ++degree_[chain[i].value()];
+      }
+    }
+  }
+
+  // A path goes on while the drawing does, through nodes where nothing else ends.
+  void make_paths(const std::vector<Segment>& segments, const Node_chains& chains) {
+    result_.nodes.reserve(2 * chains.size());
+    const Segment* open = nullptr;
+    bool ascends = false;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      const std::span<const Node_index> chain = chains[s];
+      if (is_silent(segments[s])) continue;
+      for (std::size_t i = 1; i < chain.size(); ++i) {
+        const Node_index n = chain[i - 1], m = chain[i];
+        const bool up = is_less_xy<Traits>(nodes_.point(n), nodes_.point(m));
+        const bool goes_on = open != nullptr && result_.nodes.back() == n && degree_[n.value()] == 2 &&
+                             !nodes_.corner[n.value()] && up == ascends && open->left == segments[s].left &&
+                             open->right == segments[s].right;
+        if (!goes_on) {
+          if (open != nullptr) close(*open, ascends);
+          first_ = static_cast<std::uint32_t>(result_.nodes.size());
+          result_.nodes.push_back(n);
+        }
+        result_.nodes.push_back(m);
+        open = &segments[s];
+        ascends = up;
+      }
+    }
+    if (open != nullptr) close(*open, ascends);
+  }
+
+  void close(const Segment& segment, bool ascends) {
+    if (!ascends) std::reverse(result_.nodes.begin() + first_, result_.nodes.end());
+    const Loop_label &l = ascends ? segment.left : segment.right, &r = ascends ? segment.right : segment.left;
+    const std::uint32_t size = static_cast<std::uint32_t>(result_.nodes.size()) - first_;
+    result_.edges.push_back({result_.nodes[first_],
+                             result_.nodes.back(),
+                             first_,
+                             size,
+                             {Sides{l.source, r.source}, Sides{l.target, r.target}}});
+  }
+
+  // By the node they begin at, in linear time, then by the rest.
+  void sort() {
+    std::vector<std::uint32_t> place(nodes_.points.size() + 1, 0);
+    for (const Overlay_edge& edge : result_.edges) ++place[edge.a.value() + 1];
+    for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
+    std::vector<Overlay_edge> sorted(result_.edges.size());
+    for (const Overlay_edge& edge : result_.edges) sorted[place[edge.a.value()]++] = edge;
+    const auto less = [](const Overlay_edge& e, const Overlay_edge& f) {
+      return std::tie(e.b, e.size, e.sides, e.first) < std::tie(f.b, f.size, f.sides, f.first);
+    };
+    for (auto first = sorted.begin(); first != sorted.end();) {
+      const auto last = std::find_if(first, sorted.end(), [&](const Overlay_edge& e) { return e.a != first->a; });
+      if (last - first > 1) std::sort(first, last, less);
+      first = last;
+    }
+    result_.edges = std::move(sorted);
+  }
+
+  // Paths of several pieces have nodes to themselves, so only single pieces coincide.
+  void merge_coincident() {
+    std::vector<Overlay_edge>& edges = result_.edges;
+    std::size_t size = 0;
+    for (std::size_t first = 0; first < edges.size();) {
+      Overlay_edge edge = edges[first];
+      std::size_t last = first + 1;
+      const auto coincides = [&](const Overlay_edge& e) {
+        return edge.size == 2 && e.size == 2 && e.a == edge.a && e.b == edge.b;
+      };
+      while (last < edges.size() && coincides(edges[last])) ++last;
+      if (last - first > 1) {
+        for (int set : {0, 1}) edge.sides[set] = summed(set, first, last);
+      }
+      if (edge.speaks(0) || edge.speaks(1)) edges[size++] = edge;
+      first = last;
+    }
+    edges.resize(size);
+  }
+
+  Sides summed(int set, std::size_t first, std::size_t last) const {
+    const std::vector<Overlay_edge>& edges = result_.edges;
+    if (last - first == 2) {
+      const std::optional<Sides> result = sum(edges[first].sides[set], edges[first + 1].sides[set]);
+      if (result) return *result;
+    }
+    std::vector<Sides> said;
+    for (std::size_t i = first; i < last; ++i) said.push_back(edges[i].sides[set]);
+    if (const std::optional<Sides> result = sum(said)) return *result;
+    fail_imprint(nodes_, edges[first].a,
+                 set == 0 ? "sources that overlap along an edge" : "targets that overlap along an edge",
+                 patches(said));
+  }
+
+  const Layer_nodes<Traits>& nodes_;
+  std::vector<std::uint32_t> degree_;
+  std::uint32_t first_ = 0;
+  Overlay_edges result_;
+};
+
+}  // namespace CCSweep::internal
+
+#endif

@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LOOPS_OVERLAY_PLANAR_MAP_H
+#define CCSWEEP_LOOPS_OVERLAY_PLANAR_MAP_H
+
+#include <CCSweep/loops/overlay_crossing.h>
+#include <CCSweep/loops/overlay_edges.h>
+#include <CCSweep/loops/overlay_labels.h>
+#include <CCSweep/loops/overlay_nodes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace CCSweep::internal {
+
+// The subdivision of the plane by edges that meet in common end nodes only. Halfedge 2e runs from a to b of edge e, so
+// it ascends by xy; 2e + 1 runs back. Face 0 is the unbounded one. Linear, for a bounded number of edges at a node;
+// with several components the edges above and below their lowest nodes are sorted.
+template <class Traits>
+class Planar_map {
+ public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  Planar_map(const Layer_nodes<Traits>& nodes, const Overlay_edges& edges)
+      : nodes_(nodes), all_(edges), edges_(edges.edges) {
+    sort_around_nodes();
+    link();
+    find_cycles();
+    find_components();
+    find_faces();
+  }
+
+  std::size_t number_of_halfedges() const { return 2 * edges_.size(); }
+  std::size_t number_of_faces() const { return faces_.size(); }
+  Node_index source(std::size_t h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
+  Node_index target(std::size_t h) const { return source(h ^ 1); }
+  // The nodes of an edge, from its lower end to its upper one.
+  std::span<const Node_index> path(std::size_t edge) const { return all_.path(edge); }
+  std::size_t next(std::size_t h) const { return next_[h]; }
+  std::size_t face(std::size_t h) const { return cycles_[cycle_[h]].face; }
+  Sides sides(std::size_t h, int set) const {
+    const Sides& sides = edges_[h / 2].sides[set];
+    return h % 2 == 0 ? sides : Sides{sides.right, sides.left};
+  }
+  // Calls f with one halfedge of each cycle around a face: first the outer one, except on the unbounded face.
+  template <class Function>
+  void for_each_cycle(std::size_t face, const Function& f) const {
+    for (std::size_t c = faces_[face].first; c != none; c = cycles_[c].next) f(cycles_[c].start);
+  }
+  // The number of edges at a node.
+  std::size_t degree(Node_index n) const { return first_[n.value() + 1] - first_[n.value()]; }
+
+ private:
+  struct Cycle {
+    std::size_t start;
+    std::size_t face = none;
+    std::size_t next = none;  // another one around the same face
+  };
+  struct Face {
+    std::size_t first = none, last = none;  // of its cycles
+  };
+
+  void add_to_face(std::size_t cycle, std::size_t face) {
+    cycles_[cycle].face = face;
+    (faces_[face].first == none ? faces_[face].first : cycles_[faces_[face].last].next) = cycle;
+    faces_[face].last = cycle;
+  }
+
+  // Counterclockwise from the direction straight down, that one excluded: first those that ascend by xy.
+  void sort_around_nodes() {
+    first_.assign(nodes_.points.size() + 1, 0);
+    for (std::size_t h = 0; h < number_of_halfedges(); ++h) ++first_[source(h).value() + 1];
+    for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
+    out_.resize(number_of_halfedges());
+    std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
+    for (std::size_t h = 0; h < number_of_halfedges(); ++h) {
+      out_[end[source(h).value()]++] = static_cast<std::uint32_t>(h);
+    }
+    const auto before = [this](std::uint32_t g, std::uint32_t h) {
+      if (ascends(g) != ascends(h)) return ascends(g);
+      return turn<Traits>(point(source(g)), point(second(g)), point(second(h))) == CGAL::LEFT_TURN;
+    };
+    for (std::size_t n = 0; n + 1 < first_.size(); ++n) {
+      if (first_[n + 1] - first_[n] > 1) std::sort(out_.begin() + first_[n], out_.begin() + first_[n + 1], before);
+    }
+  }
+
+  // Left turns (section 2.7, step 6): the next halfedge makes the smallest interior angle, so it is the first one
+  // clockwise from where this one came.
+  void link() {
+    next_.resize(number_of_halfedges());
+    for (std::size_t n = 0; n + 1 < first_.size(); ++n) {
+      for (std::size_t i = first_[n]; i < first_[n + 1]; ++i) {
+        next_[out_[i] ^ 1] = out_[i == first_[n] ? first_[n + 1] - 1 : i - 1];
+      }
+    }
+  }
+
+  void find_cycles() {
+    cycle_.assign(number_of_halfedges(), none);
+    for (std::size_t start = 0; start < cycle_.size(); ++start) {
+      if (cycle_[start] != none) continue;
+      for (std::size_t h = start; cycle_[h] == none; h = next_[h]) cycle_[h] = cycles_.size();
+      cycles_.push_back({start});
+    }
+  }
+
+  // The lowest node of each connected component, ascending.
+  void find_components() {
+    std::vector<bool> seen(nodes_.points.size(), false);
+    std::vector<Node_index> stack;
+    for (std::size_t start = 0; start + 1 < first_.size(); ++start) {
+      if (seen[start] || degree(Node_index(start)) == 0) continue;
+      Node_index lowest(start);
+      seen[start] = true;
+      stack.push_back(lowest);
+      while (!stack.empty()) {
+        const Node_index n = stack.back();
+        stack.pop_back();
+        if (is_less(n, lowest)) lowest = n;
+        for (std::uint32_t i = first_[n.value()]; i < first_[n.value() + 1]; ++i) {
+          const Node_index m = target(out_[i]);
+          if (!seen[m.value()]) stack.push_back(m);
+          seen[m.value()] = true;
+        }
+      }
+      lowest_.push_back(lowest);
+    }
+    std::sort(lowest_.begin(), lowest_.end(), [this](Node_index n, Node_index m) { return is_less(n, m); });
+  }
+
+  // At the lowest node of a component everything ascends, so the wedge left of the last halfedge opens to the
+  // outside: its cycle goes around the component. All other cycles are outer ones of a face of their own.
+  std::size_t cycle_around(Node_index lowest) const { return cycle_[out_[first_[lowest.value() + 1] - 1]]; }
+
+  void find_faces() {
+    for (Node_index n : lowest_) cycles_[cycle_around(n)].face = 0;
+    faces_.reserve(cycles_.size() + 1);
+    faces_.emplace_back();
+    for (std::size_t c = 0; c < cycles_.size(); ++c) {
+      if (cycles_[c].face == 0) continue;
+      faces_.emplace_back();
+      add_to_face(c, faces_.size() - 1);
+    }
+    nest();
+  }
+
+  // Orders edges, and points that lie on none of them, from below.
+  struct Below {
+    using is_transparent = void;
+    const Planar_map* map;
+
+    bool operator()(std::size_t e, std::size_t f) const {
+      if (e == f) return false;
+      const Planar_map& m = *map;
+      const Node_index a = m.edges_[e].a, b = m.edges_[f].a;
+      if (a == b) {
+        return turn<Traits>(m.point(a), m.point(m.second(2 * e)), m.point(m.second(2 * f))) == CGAL::LEFT_TURN;
+      }
+      if (m.is_less(a, b)) return m.turns(e, b) == CGAL::LEFT_TURN;
+      return m.turns(f, a) == CGAL::RIGHT_TURN;
+    }
+    bool operator()(std::size_t e, Node_index n) const { return map->turns(e, n) == CGAL::LEFT_TURN; }
+    bool operator()(Node_index n, std::size_t e) const { return map->turns(e, n) == CGAL::RIGHT_TURN; }
+  };
+
+  static bool ascends(std::size_t h) { return h % 2 == 0; }
+  const typename Traits::Point_2& point(Node_index n) const { return nodes_.point(n); }
+  bool is_less(Node_index n, Node_index m) const { return is_less_xy<Traits>(point(n), point(m)); }
+  // The node after the source of a halfedge.
+  Node_index second(std::size_t h) const {
+    const std::span<const Node_index> nodes = path(h / 2);
+    return ascends(h) ? nodes[1] : nodes[nodes.size() - 2];
+  }
+
+  // On which side of an edge a node is that is between its ends by xy.
+  CGAL::Orientation turns(std::size_t edge, Node_index n) const {
+    const std::span<const Node_index> nodes = path(edge);
+    const auto upper =
+        std::partition_point(nodes.begin() + 1, nodes.end() - 1, [&](Node_index m) { return is_less(m, n); });
+    return turn<Traits>(point(*std::prev(upper)), point(*upper), point(n));
+  }
+
+  // The edges that pass above or below the lowest node of a component.
+  std::vector<std::uint32_t> edges_around_lowest() const {
+    std::vector<std::uint32_t> result;
+    const auto less = [this](Node_index n, Node_index m) { return is_less(n, m); };
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      const auto next = std::upper_bound(lowest_.begin(), lowest_.end(), edges_[e].a, less);
+      if (next != lowest_.end() && is_less(*next, edges_[e].b)) result.push_back(e);
+    }
+    return result;
+  }
+
+  // Step 8: a sweep by xy finds for each component the edge below its lowest node, and so the face it lies in.
+  void nest() {
+    if (lowest_.size() == 1) add_to_face(cycle_around(lowest_.front()), 0);
+    if (lowest_.size() <= 1) return;
+    std::vector<std::uint32_t> starts = edges_around_lowest(), ends = starts;
+    std::sort(starts.begin(), starts.end(), [&](auto e, auto f) { return is_less(edges_[e].a, edges_[f].a); });
+    std::sort(ends.begin(), ends.end(), [&](auto e, auto f) { return is_less(edges_[e].b, edges_[f].b); });
+    using Status_line = std::set<std::size_t, Below>;
+    Status_line line(Below{this});
+    std::vector<typename Status_line::iterator> places(edges_.size(), line.end());
+    auto start = starts.begin(), end = ends.begin();
+    const auto start_before = [&](Node_index n) {
+      for (; start != starts.end() && is_less(edges_[*start].a, n); ++start) places[*start] = line.insert(*start).first;
+    };
+    for (Node_index n : lowest_) {
+      for (; end != ends.end() && !is_less(n, edges_[*end].b); ++end) {
+        start_before(edges_[*end].b);
+        line.erase(places[*end]);
+      }
+      start_before(n);
+      const auto above = line.lower_bound(n);
+      add_to_face(cycle_around(n), above == line.begin() ? 0 : face(2 * *std::prev(above)));
+    }
+  }
+
+  const Layer_nodes<Traits>& nodes_;
+  const Overlay_edges& all_;
+  const std::vector<Overlay_edge>& edges_;
+  std::vector<std::uint32_t> first_, out_;  // the halfedges that leave each node
+  std::vector<std::size_t> next_, cycle_;
+  std::vector<Cycle> cycles_;
+  std::vector<Node_index> lowest_;
+  std::vector<Face> faces_;
+};
+
+// The label of each face. What an edge says of a set holds on its two sides; what it does not speak of carries over
+// from one side to the other; nothing is outside. Linear.
+template <class Traits>
+std::vector<Loop_label> flooded_labels(const Planar_map<Traits>& map, const Layer_nodes<Traits>& nodes) {
+  std::vector<std::array<int, 2>> labels(map.number_of_faces(), {Loop_label::none, Loop_label::none});
+  std::vector<bool> seen(map.number_of_faces(), false);
+  std::vector<std::size_t> queue{0};
+  seen[0] = true;
+  const auto visit = [&](std::size_t h) {
+    const std::size_t face = map.face(h), other = map.face(h ^ 1);
+    std::array<int, 2> across;
+    for (int set : {0, 1}) {
+      const Sides sides = map.sides(h, set);
+      const bool speaks = sides.left != sides.right;
+      across[set] = speaks ? sides.right : labels[face][set];
+      const bool left_fits = !speaks || sides.left == labels[face][set];
+      const bool right_fits = !seen[other] || across[set] == labels[other][set];
+      if (left_fits && right_fits) continue;
+      std::vector<int> patches{sides.left, sides.right, labels[face][set], seen[other] ? labels[other][set] : -1};
+      std::sort(patches.begin(), patches.end());
+      patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+      std::erase(patches, Loop_label::none);
+      fail_imprint(nodes, map.source(h),
+                   set == 0 ? "sources overlap or are not closed" : "targets overlap or are not closed", patches);
+    }
+    if (seen[other]) return;
+    seen[other] = true;
+    labels[other] = across;
+    queue.push_back(other);
+  };
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    map.for_each_cycle(queue[i], [&](std::size_t start) {
+      std::size_t h = start;
+      do {
+        visit(h);
+        h = map.next(h);
+      } while (h != start);
+    });
+  }
+  std::vector<Loop_label> result;
+  for (const auto& [source, target] : labels) result.push_back({source, target});
+  return result;
+}
+
+}  // namespace CCSweep::internal
+
+#endif

@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_LOOPS_OVERLAY_SNAP_H
+#define CCSWEEP_LOOPS_OVERLAY_SNAP_H
+
+#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/loops/overlay_chains.h>
+#include <CCSweep/loops/overlay_crossing.h>
+#include <CCSweep/loops/overlay_near.h>
+#include <CCSweep/loops/overlay_nodes.h>
+#include <CCSweep/loops/snap_clearance.h>
+#include <CCSweep/loops/snap_merge.h>
+#include <CCSweep/loops/snap_segments.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CCSweep::internal {
+
+// The drawing after snapping: each of its segments as a chain of nodes.
+template <class Traits>
+struct Snapped_drawing {
+  Layer_nodes<Traits> nodes;
+  Node_chains chains;
+  std::vector<Near_pair> near;  // the steps of the chains that may meet
+};
+
+// Refuses what is no drawing. Returns how far rounding may take a constructed point from where it should be: a few
+// units in the last place of the largest coordinate.
+template <class Traits>
+double checked_rounding(const Layer_drawing<Traits>& drawing, double tolerance) {
+  if (!(tolerance >= 0) || std::isinf(tolerance)) {
+    fail(Status_code::invalid_parameter, Stage::imprint, "the tolerance must be a finite number, and not negative");
+  }
+  double size = 0;
+  for (const auto& node : drawing.nodes) {
+    const double x = std::fabs(CGAL::to_double(node.point.x())), y = std::fabs(CGAL::to_double(node.point.y()));
+    if (!std::isfinite(x) || !std::isfinite(y)) {
+      fail(Status_code::invalid_parameter, Stage::imprint, "a coordinate of the layer is not a finite number");
+    }
+    size = std::max({size, x, y});
+  }
+  for (const auto& segment : drawing.segments) {
+    if (std::max(segment.source, segment.target).value() < drawing.nodes.size()) continue;
+    fail(Status_code::invalid_parameter, Stage::imprint, "a segment ends at a node that does not exist");
+  }
+  return 8 * std::numeric_limits<double>::epsilon() * size;
+}
+
+template <class Traits>
+Layer_nodes<Traits> drawn_nodes(const Layer_drawing<Traits>& drawing) {
+  const std::size_t size = drawing.nodes.size();
+  Layer_nodes<Traits> nodes;
+  nodes.points.reserve(size);
+  nodes.representative.reserve(size);
+  nodes.fixed.assign(size, false);
+  nodes.corner.assign(size, false);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto& node = drawing.nodes[i];
+    nodes.points.push_back(node.point);
+    nodes.representative.emplace_back(i);
+    if (node.fixed) nodes.fixed[i] = true;
+    if (node.corner) nodes.corner[i] = true;
+  }
+  // What a fixed segment ends at can't move without it.
+  for (const auto& segment : drawing.segments) {
+    if (!segment.fixed) continue;
+    nodes.fixed[segment.source.value()] = true;
+    nodes.fixed[segment.target.value()] = true;
+  }
+  return nodes;
+}
+
+template <class Traits>
+Node_chains straight_chains(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes) {
+  Node_chains result;
+  result.reserve(drawing.segments.size(), 2 * drawing.segments.size());
+  for (const auto& segment : drawing.segments) {
+    const Node_index a = nodes.representative[segment.source.value()], b = nodes.representative[segment.target.value()];
+    result.push_back(a);
+    if (a != b) result.push_back(b);
+    result.close();
+  }
+  return result;
+}
+
+// Pairs of steps of the chains that come within twice `reach` of each other, except neighbours that run on.
+template <class SegmentIndex, class Traits>
+std::vector<Near_pair> near_steps(const Node_chains& chains, const Layer_nodes<Traits>& nodes, double reach) {
+  const std::size_t size = chains.number_of_nodes() - chains.size();
+  std::vector<Flat_box> boxes;
+  std::vector<std::array<Node_index, 2>> ends;
+  boxes.reserve(size);
+  ends.reserve(size);
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const std::span<const Node_index> chain = chains[c];
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      ends.push_back({chain[i - 1], chain[i]});
+      boxes.push_back(flat_box(nodes.box(chain[i - 1], chain[i]), reach));
+    }
+  }
+  const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {
+    return !(j == i + 1 && runs_on(nodes, ends[i], ends[j])) && !are_apart(nodes, ends[i], ends[j], 2 * reach);
+  };
+  return Near_pairs<SegmentIndex, decltype(may_meet)>::of(boxes, may_meet);
+}
+
+template <class Traits>
+std::vector<Fixed_feature> fixed_features(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes) {
+  std::vector<Fixed_feature> result;
+  std::vector<bool> covered(drawing.nodes.size(), false);
+  for (const auto& segment : drawing.segments) {
+    const Node_index a = nodes.representative[segment.source.value()], b = nodes.representative[segment.target.value()];
+    if (!segment.fixed || a == b) continue;
+    result.push_back({a, b});
+    covered[a.value()] = covered[b.value()] = true;
+  }
+  for (std::size_t i = 0; i < drawing.nodes.size(); ++i) {
+    const Node_index n(i);
+    if (nodes.fixed[i] && !covered[i] && nodes.representative[i] == n) result.push_back({n, n});
+  }
+  return result;
+}
+
+template <class Traits>
+std::size_t number_merged(const Layer_nodes<Traits>& nodes) {
+  std::size_t result = 0;
+  for (std::size_t i = 0; i < nodes.representative.size(); ++i) {
+    if (nodes.representative[i] != Node_index(i)) ++result;
+  }
+  return result;
+}
+
+// Says whether snapping could change anything; if not, all of it can be left out.
+template <class Traits>
+class Snap_need {
+ public:
+  Snap_need(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes, double tolerance)
+      : drawing_(drawing), nodes_(nodes), tolerance_(tolerance) {}
+
+  // `near` are the pairs of segments within the tolerance and their chord errors, or more. Neighbours that run on are
+  // not as near as either is long.
+  bool exists(const std::vector<Near_pair>& near) const {
+    std::vector<char> is_end(drawing_.nodes.size(), false);
+    for (const Segment& segment : drawing_.segments) {
+      if (is_short(segment)) return true;
+      is_end[segment.source.value()] = is_end[segment.target.value()] = true;
+    }
+    if (std::find(is_end.begin(), is_end.end(), false) != is_end.end()) return true;
+    return std::any_of(near.begin(), near.end(), [this](const Near_pair& pair) {
+      return is_close(drawing_.segments[pair.first], drawing_.segments[pair.second]);
+    });
+  }
+
+ private:
+  using Segment = typename Layer_drawing<Traits>::Segment;
+
+  bool is_close(Node_index n, Node_index m) const {
+    return tolerance_ == 0 ? is_equal<Traits>(nodes_.point(n), nodes_.point(m))
+                           : distance(nodes_.place(n), nodes_.place(m)) <= tolerance_;
+  }
+
+  bool is_short(const Segment& segment) const {
+    if (tolerance_ == 0) return is_close(segment.source, segment.target);
+    return distance(nodes_.place(segment.source), nodes_.place(segment.target)) <=
+           std::fmax(tolerance_, segment.chord_error);
+  }
+
+  bool is_close(const Segment& s, const Segment& t) const {
+    const double reach = tolerance_ == 0 ? 0 : std::fmax(tolerance_, std::fmax(s.chord_error, t.chord_error));
+    for (Node_index common : {s.source, s.target}) {
+      if (common != t.source && common != t.target) continue;
+      const Node_index n = common == s.source ? s.target : s.source, m = common == t.source ? t.target : t.source;
+      return n != m && are_close_beyond(common, n, m, reach);
+    }
+    return touches(s.source, t, reach) || touches(s.target, t, reach) || touches(t.source, s, reach) ||
+           touches(t.target, s, reach);
+  }
+
+  // For segments from a common node to n and m.
+  bool are_close_beyond(Node_index common, Node_index n, Node_index m, double reach) const {
+    if (tolerance_ == 0) return is_equal<Traits>(nodes_.point(n), nodes_.point(m));
+    const Place_2 c = nodes_.place(common), p = nodes_.place(n), q = nodes_.place(m);
+    if ((p[0] - c[0]) * (q[0] - c[0]) + (p[1] - c[1]) * (q[1] - c[1]) <= 0) return false;
+    return std::fmin(closest(p, c, q).distance, closest(q, c, p).distance) <= reach * safety;
+  }
+
+  bool touches(Node_index n, const Segment& segment, double reach) const {
+    if (tolerance_ == 0) return is_close(n, segment.source) || is_close(n, segment.target);
+    return closest(nodes_.place(n), nodes_.place(segment.source), nodes_.place(segment.target)).distance <=
+           reach * safety;
+  }
+
+  static constexpr double safety = 1 + 1e-6;  // the same distances, computed in another order
+  const Layer_drawing<Traits>& drawing_;
+  const Layer_nodes<Traits>& nodes_;
+  double tolerance_;
+};
+
+template <class Traits, class SegmentIndex>
+Node_chains snapped_chains(const Layer_drawing<Traits>& drawing, Layer_nodes<Traits>& nodes, double tolerance,
+                           double rounding) {
+  merge_equal(nodes);
+  if (tolerance == 0) return straight_chains(drawing, nodes);
+  const std::size_t equal = number_merged(nodes);
+  const Snap_clearance<Traits, SegmentIndex> clearance(nodes, fixed_features(drawing, nodes));
+  Node_merger<Traits, SegmentIndex>(nodes, clearance, tolerance).run();
+  Segment_snapper<Traits, SegmentIndex> segments(drawing, nodes, clearance, tolerance, rounding);
+  segments.run();
+  if (const std::size_t snapped = number_merged(nodes) - equal; snapped > 0) {
+    nodes.notes.push_back(std::to_string(snapped) + " nodes were merged within the tolerance");
+  }
+  Node_chains result;
+  for (std::size_t s = 0; s < drawing.segments.size(); ++s) {
+    for (Node_index n : segments.chain(s)) result.push_back(n);
+    result.close();
+  }
+  return result;
+}
+
+// Tolerant snapping (section 2.7); the rules stand at `imprint_layer`. `slack` is what may still move later on.
+template <class Traits, class SegmentIndex>
+Snapped_drawing<Traits> snap(const Layer_drawing<Traits>& drawing, double tolerance, double rounding, double slack) {
+  Snapped_drawing<Traits> result{drawn_nodes(drawing), {}, {}};
+  double chord_error = 0;
+  if (tolerance > 0) {
+    for (const auto& segment : drawing.segments) chord_error = std::fmax(chord_error, segment.chord_error);
+  }
+  result.chains = straight_chains(drawing, result.nodes);
+  result.near = near_steps<SegmentIndex>(result.chains, result.nodes, std::fmax(tolerance, chord_error) + slack);
+  if (Snap_need<Traits>(drawing, result.nodes, tolerance).exists(result.near)) {
+    const std::size_t size = result.chains.number_of_nodes();
+    result.chains = snapped_chains<Traits, SegmentIndex>(drawing, result.nodes, tolerance, rounding);
+    const bool only_names_changed = tolerance == 0 && result.chains.number_of_nodes() == size;
+    if (!only_names_changed) result.near = near_steps<SegmentIndex>(result.chains, result.nodes, tolerance + slack);
+  }
+  return result;
+}
+
+}  // namespace CCSweep::internal
+
+#endif

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_VOLUMES_MAKE_SUB_VOLUMES_H
+#define CCSWEEP_VOLUMES_MAKE_SUB_VOLUMES_H
+
+#include <CCSweep/Status.h>
+#include <CCSweep/internal/guarded.h>
+#include <CCSweep/linking/Layering.h>
+#include <CCSweep/loops/Layered_loops.h>
+#include <CCSweep/part/Part.h>
+#include <CCSweep/part/Roles.h>
+#include <CCSweep/volumes/Cut_rows.h>
+#include <CCSweep/volumes/Cut_surface.h>
+#include <CCSweep/volumes/Cut_triangles.h>
+#include <CCSweep/volumes/Decomposition.h>
+#include <CCSweep/volumes/separate_fans.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CCSweep {
+namespace internal {
+
+// Tells of every triangle of the cut surface which target's sub-volume it bounds: labels known from the layers are
+// flooded up to the edges that the cuts meet. Labels that disagree are the sign of a leak.
+template <class Traits>
+class Surface_labels {
+  using Side = typename Layered_loops<Traits>::Side;
+
+ public:
+  Surface_labels(const Part<Traits>& part, const Roles& roles, const Layered_loops<Traits>& loops,
+                 const Cut_surface<Traits>& surface, const Cut_triangles& cuts)
+      : part_(part), roles_(roles), loops_(loops), surface_(surface), label_(surface.triangles.size()) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        triangle_at_[key(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3])] = t;
+    for (const Triangle& t : cuts.triangles)
+      for (int k = 0; k < 3; ++k) barriers_.insert(std::minmax(t[k], t[(k + 1) % 3]));
+  }
+
+  std::vector<Patch_index> run() {
+    label_targets();
+    label_sources();
+    label_walls();
+    flood();
+    return std::move(label_);
+  }
+
+ private:
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t(a) << 32) | b; }
+
+  void set_label(std::size_t t, Patch_index target) {
+    if (label_[t] == target) return;
+    if (label_[t].is_valid()) {
+      const int id = part_.id(surface_.patch[t]);
+      fail(Status_code::sub_volume_not_closed, Stage::sub_volumes,
+           "on patch " + std::to_string(id) + " the sub-volumes of targets " + std::to_string(part_.id(label_[t])) +
+               " and " + std::to_string(part_.id(target)) + " run into each other",
+           {id, part_.id(label_[t]), part_.id(target)},
+           Part<Traits>::coordinates(surface_.points[surface_.triangles[t][0]]));
+    }
+    label_[t] = target;
+    stack_.push_back(t);
+  }
+
+  void label_targets() {
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+      if (roles_.of_patch[surface_.patch[t].value()] == Role::target) set_label(t, surface_.patch[t]);
+  }
+
+  // The triangle to the left of the first piece of a drawn segment, when seen from outside.
+  void label_left_of(Node_index a, Node_index b, Patch_index patch, Patch_index target) {
+    const auto v = surface_.vertex_of_node[a.value()], w = surface_.vertex_of_node[b.value()];
+    if (v == Cut_surface<Traits>::none || w == Cut_surface<Traits>::none) return;
+    const auto path = surface_.path(v, w);
+    const auto found = triangle_at_.find(key(path[0], path[1]));
+    if (found == triangle_at_.end()) return;
+    if (!patch.is_valid() || surface_.patch[found->second] == patch) set_label(found->second, target);
+  }
+
+  void label_sources() {
+    for (const auto& layer : loops_.segments)
+      for (const auto& s : layer) {
+        if (s.left.source.is_valid()) label_left_of(s.a, s.b, s.left.source, s.left.target);
+        if (s.right.source.is_valid()) label_left_of(s.b, s.a, s.right.source, s.right.target);
+      }
+  }
+
+  void label_walls() {
+    for (const auto& w : loops_.wall_labels)
+      w.above ? label_left_of(w.a, w.b, Patch_index(), w.target) : label_left_of(w.b, w.a, Patch_index(), w.target);
+  }
+
+  void flood() {
+    while (!stack_.empty()) {
+      const std::size_t t = stack_.back();
+      stack_.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const auto a = surface_.triangles[t][k], b = surface_.triangles[t][(k + 1) % 3];
+        if (barriers_.count(std::minmax(a, b))) continue;
+        const auto neighbour = triangle_at_.find(key(b, a));
+        if (neighbour != triangle_at_.end()) set_label(neighbour->second, label_[t]);
+      }
+    }
+    for (std::size_t t = 0; t < label_.size(); ++t)
+      if (!label_[t].is_valid()) {
+        const int id = part_.id(surface_.patch[t]);
+        fail(Status_code::sub_volume_not_closed, Stage::sub_volumes,
+             "a piece of patch " + std::to_string(id) + " belongs to no sub-volume", {id},
+             Part<Traits>::coordinates(surface_.points[surface_.triangles[t][0]]));
+      }
+  }
+
+  const Part<Traits>& part_;
+  const Roles& roles_;
+  const Layered_loops<Traits>& loops_;
+  const Cut_surface<Traits>& surface_;
+  std::vector<Patch_index> label_;
+  std::unordered_map<std::uint64_t, std::size_t> triangle_at_;
+  std::set<Vertex_pair> barriers_;
+  std::vector<std::size_t> stack_;
+};
+
+template <class Traits>
+class Sub_volume_builder {
+  using Point_3 = typename Traits::Point_3;
+
+ public:
+  Sub_volume_builder(const Part<Traits>& part, const Roles& roles, const Cut_surface<Traits>& surface,
+                     const std::vector<Patch_index>& label, const Cut_triangles& cuts)
+      : part_(part), roles_(roles), surface_(surface), cuts_(cuts) {
+    first_cut_id_ = *std::max_element(part.patch_id.begin(), part.patch_id.end()) + 1;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const Patch_index patch = surface.patch[t];
+      pieces_[label[t]].push_back({surface.triangles[t], part.id(patch), roles.of_patch[patch.value()]});
+    }
+    for (std::size_t t = 0; t < cuts.triangles.size(); ++t) {
+      const Triangle& v = cuts.triangles[t];
+      const int id = first_cut_id_ + static_cast<int>(cuts.set[t]);
+      pieces_[cuts.left[t]].push_back({v, id, Role::cut});
+      pieces_[cuts.right[t]].push_back({{v[0], v[2], v[1]}, id, Role::cut});
+    }
+  }
+
+  void run(Decomposition<Point_3>& result) const {
+    std::map<Patch_index, int> volume_of;
+    for (const auto& [target, pieces] : pieces_) {
+      volume_of[target] = static_cast<int>(result.volumes.size());
+      result.volumes.push_back(make_volume(target, pieces));
+    }
+    result.sets.resize(cuts_.number_of_sets);
+    for (std::size_t t = 0; t < cuts_.triangles.size(); ++t) {
+      Decomposition_set& set = result.sets[cuts_.set[t]];
+      set.id = first_cut_id_ + static_cast<int>(cuts_.set[t]);
+      const auto [i, j] = std::minmax(volume_of.at(cuts_.left[t]), volume_of.at(cuts_.right[t]));
+      set.volumes = {i, j};
+      ++set.triangles;
+    }
+  }
+
+ private:
+  struct Piece {
+    Triangle vertices;
+    int patch_id;
+    Role role;
+  };
+
+  Sub_volume<Point_3> make_volume(Patch_index target, const std::vector<Piece>& pieces) const {
+    std::vector<Triangle> triangles;
+    for (const Piece& p : pieces) triangles.push_back(p.vertices);
+    const auto fans = Fan_separator::run(
+        triangles, [&](std::uint32_t v) { return Part<Traits>::coordinates(surface_.points[v]); });
+    if (!fans) report_open(target);
+    Sub_volume<Point_3> volume;
+    volume.target = part_.id(target);
+    auto& mesh = volume.mesh;
+    std::vector<const Point_3*> point_of_fan;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        point_of_fan.resize(std::max(point_of_fan.size(), (*fans)[t][k] + 1));
+        point_of_fan[(*fans)[t][k]] = &surface_.points[triangles[t][k]];
+      }
+    mesh.reserve(point_of_fan.size(), 3 * pieces.size() / 2, pieces.size());
+    for (const Point_3* p : point_of_fan) mesh.add_vertex(*p);
+    auto patch_id = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::patch_id_map, -1);
+    auto role = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::role_map, 0);
+    std::set<int> sources;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      auto vertex = [&](int k) { return CGAL::SM_Vertex_index(static_cast<std::uint32_t>((*fans)[t][k])); };
+      const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
+      if (!face.is_valid()) report_open(target);
+      patch_id.first[face] = pieces[t].patch_id;
+      role.first[face] = static_cast<int>(pieces[t].role);
+      if (pieces[t].role == Role::source) sources.insert(pieces[t].patch_id);
+    }
+    volume.sources.assign(sources.begin(), sources.end());
+    return volume;
+  }
+
+  [[noreturn]] void report_open(Patch_index target) const {
+    fail(Status_code::sub_volume_not_closed, Stage::sub_volumes,
+         "the cuts do not close the sub-volume of target " + std::to_string(part_.id(target)), {part_.id(target)});
+  }
+
+  const Part<Traits>& part_;
+  const Roles& roles_;
+  const Cut_surface<Traits>& surface_;
+  const Cut_triangles& cuts_;
+  int first_cut_id_ = 0;
+  std::map<Patch_index, std::vector<Piece>> pieces_;
+};
+
+// What the stages found out of the part, by the ids of its patches.
+template <class Traits>
+void describe(const Part<Traits>& part, const Roles& roles, const Layering& layering,
+              Decomposition<typename Traits::Point_3>& result) {
+  result.direction = roles.direction;
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) result.roles[part.patch_id[p]] = roles.of_patch[p];
+  for (const auto& caps : layering.caps) {
+    std::vector<int> ids;
+    for (Patch_index p : caps) ids.push_back(part.id(p));
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    result.levels.push_back(std::move(ids));
+  }
+  result.layers = layering.number_of_layers();
+  result.sweep_parameters = layering.layers;
+}
+
+}  // namespace internal
+
+/// Builds the sub-volumes (section 2.8): triangulates the cuts, gathers them into decomposition sets, tells of every
+/// piece of the cut surface which target's sub-volume it bounds, and joins both to closed meshes.
+///
+/// \return the decomposition, without its tolerance and times; `sub_volume_not_closed` with the patches and the place
+/// where sub-volumes run into each other, `cut_failed` where a cut folds onto itself.
+/// Complexity: O(n log n) in the triangles.
+template <class Traits>
+Result<Decomposition<typename Traits::Point_3>> make_sub_volumes(const Part<Traits>& part, const Roles& roles,
+                                                                 const Layering& layering,
+                                                                 const Layered_loops<Traits>& loops,
+                                                                 const std::vector<Cut_row>& rows,
+                                                                 const Cut_surface<Traits>& surface) {
+  return internal::guarded([&] {
+    using namespace internal;
+    Decomposition<typename Traits::Point_3> result;
+    describe(part, roles, layering, result);
+    result.notes = loops.notes;
+    const Cut_triangles cuts = Cut_triangulator<Traits>(loops, rows, surface).run();
+    const auto labels = Surface_labels<Traits>(part, roles, loops, surface, cuts).run();
+    Sub_volume_builder<Traits>(part, roles, surface, labels, cuts).run(result);
+    return result;
+  });
+}
+
+}  // namespace CCSweep
+
+#endif
