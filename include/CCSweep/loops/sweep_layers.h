@@ -37,8 +37,9 @@ class Layer_sweeper {
         sections_(sections),
         tolerance_(tolerance),
         neighbours_(neighbours),
-        visitor_(visitor),
-        is_upright_(all_walls_upright()) {}
+        visitor_(visitor) {
+    loops_.is_upright = all_walls_upright();
+  }
 
   Layered_loops<Traits> run() {
     const std::size_t n = layering_.number_of_layers();
@@ -164,7 +165,7 @@ class Layer_sweeper {
     return label;
   }
 
-  void record(Layer_index layer, const Drawn_layer<Traits>& drawn, const Imprinted_layer<Traits>& imprinted) {
+  void record(Layer_index layer, Drawn_layer<Traits>& drawn, const Imprinted_layer<Traits>& imprinted) {
     loops_.segments[layer.value()] = imprinted.segments();
     if (layer.value() == 0) return;
     auto& cuts = loops_.cuts[layer.value() - 1];
@@ -225,8 +226,8 @@ class Layer_sweeper {
         if (loop.carriers[i].is_edge)
           loops_.wall_labels.push_back({loop.nodes[i], loop.nodes[(i + 1) % loop.nodes.size()],
                                         loop.carriers[i].index, true, loop.targets[i]});
-    transport_.emplace(part_, loops_.up[layer.value()], roles_.is_straight(), is_upright_, sections_.arriving[layer.value() + 1], sections_.strips[layer.value()],
-                       std::move(leaving), imprinted, tolerance_, neighbours_, loops_);
+    transport_.emplace(part_, loops_.up[layer.value()], roles_.is_straight(), loops_.is_upright,
+                       sections_.arriving[layer.value() + 1], sections_.strips[layer.value()], std::move(leaving), imprinted, tolerance_, neighbours_, loops_);
   }
 
   void note(Layer_index layer, const Imprint<Traits>& imprint) {
@@ -251,7 +252,6 @@ class Layer_sweeper {
   double tolerance_;
   std::size_t neighbours_;
   Visitor& visitor_;
-  bool is_upright_;
   Layered_loops<Traits> loops_;
   std::optional<Slab_transport<Traits, PointIndex>> transport_;
   std::vector<Arriving_loop> arriving_;
