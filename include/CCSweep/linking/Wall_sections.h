@@ -31,7 +31,7 @@ struct Wall_loop {
 struct Wall_strip {
   std::size_t bottom = 0;  ///< index among the loops that leave the lower layer
   std::size_t top = 0;     ///< index among the loops that arrive at the upper layer
-  /// Edges between linking patches that run up the strip: the positions of their nodes in the bottom and in the top loop.
+  /// Sharp edges that run up the strip: the positions of their nodes in the bottom and in the top loop.
   struct Rail {
     std::size_t bottom, top;
   };

@@ -11,7 +11,6 @@
 #include <CCSweep/part/Roles.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -33,7 +32,7 @@ class Wall_tracer {
   Wall_tracer(const Part_type& part, const Roles& roles, const Layering& layering)
       : part_(part), roles_(roles), layering_(layering) {
     distribute_faces();
-    find_rail_edges();
+    find_sharp_edges();
   }
 
   Wall_sections run() {
@@ -89,18 +88,13 @@ class Wall_tracer {
     }
   }
 
-  // Edges between two linking patches lead columns up where they are sharp, and smooth ones where they run along the
-  // sweep: a seam does, a patch that was split anyhow does not.
-  void find_rail_edges() {
-    constexpr double degree = 3.14159265358979323846 / 180, smooth = 20 * degree, along = 5 * degree;
-    is_rail_.assign(part_.mesh.number_of_edges(), false);
+  void find_sharp_edges() {
+    constexpr double smooth = 20 * 3.14159265358979323846 / 180;
+    sharp_.assign(part_.mesh.number_of_edges(), false);
     for (auto e : part_.mesh.edges()) {
       const auto h = part_.mesh.halfedge(e);
       const Face f = part_.mesh.face(h), g = part_.mesh.face(part_.mesh.opposite(h));
-      if (!part_.feature[e] || !is_wall(f) || !is_wall(g)) continue;
-      const Vec3 edge = part_.coordinates(part_.mesh.target(h)) - part_.coordinates(part_.mesh.source(h));
-      is_rail_[e] = angle(part_.normal[f], part_.normal[g]) > smooth ||
-                    norm(cross(edge, roles_.along(f))) < std::sin(along) * norm(edge);
+      sharp_[e] = part_.feature[e] && is_wall(f) && is_wall(g) && angle(part_.normal[f], part_.normal[g]) > smooth;
     }
   }
 
@@ -233,13 +227,13 @@ class Wall_tracer {
     if (turns > 1) strip.rails.clear();
   }
 
-  // Follows rail edges upwards from a node to the value of the next layer.
+  // Follows sharp edges upwards from a node to the value of the next layer.
   std::optional<Surface_location> climb(Surface_location at, double value) const {
     const auto& mesh = part_.mesh;
     Vertex v;
     if (at.kind == Surface_location::Kind::edge) {
       const typename Part_type::Edge e(at.index);
-      if (!is_rail_[e]) return std::nullopt;
+      if (!sharp_[e]) return std::nullopt;
       Halfedge h = mesh.halfedge(e);
       if (parameter(mesh.target(h)) < parameter(mesh.source(h))) h = mesh.opposite(h);
       if (parameter(mesh.target(h)) > value) return crossing(h, value);
@@ -249,7 +243,7 @@ class Wall_tracer {
     }
     Vec3 heading{};
     while (parameter(v) < value) {
-      const Halfedge h = steepest_rail_edge(v, heading);
+      const Halfedge h = steepest_sharp_edge(v, heading);
       if (!h.is_valid()) return std::nullopt;
       if (parameter(mesh.target(h)) > value) return crossing(h, value);
       heading = unit(part_.coordinates(mesh.target(h)) - part_.coordinates(v));
@@ -258,14 +252,14 @@ class Wall_tracer {
     return Surface_location::vertex(v);
   }
 
-  // Of the rail edges that rise from a vertex the one that goes on straightest.
-  Halfedge steepest_rail_edge(Vertex v, const Vec3& heading) const {
+  // Of the sharp edges that rise from a vertex the one that goes on straightest.
+  Halfedge steepest_sharp_edge(Vertex v, const Vec3& heading) const {
     const auto& mesh = part_.mesh;
     Halfedge best;
     double best_score = -2;
     for (Halfedge in : mesh.halfedges_around_target(mesh.halfedge(v))) {
       const Halfedge h = mesh.opposite(in);
-      if (!is_rail_[mesh.edge(h)] || !(parameter(mesh.target(h)) > parameter(v))) continue;
+      if (!sharp_[mesh.edge(h)] || !(parameter(mesh.target(h)) > parameter(v))) continue;
       const double score = dot(heading, unit(part_.coordinates(mesh.target(h)) - part_.coordinates(v)));
       if (score <= best_score) continue;
       best_score = score;
@@ -278,7 +272,7 @@ class Wall_tracer {
   const Roles& roles_;
   const Layering& layering_;
   std::vector<std::vector<Face>> faces_of_slab_;
-  std::vector<bool> is_rail_;
+  std::vector<bool> sharp_;
 };
 
 }  // namespace internal
