@@ -59,8 +59,7 @@ int exit_status(Status_code code) {
 }
 
 // What nobody foresaw is a failure like any other: it has a stage and a report.
-Status run_guarded(const Options& options) {
-  Progress progress(!options.is_quiet && isatty(STDERR_FILENO) == 1);
+Status run_guarded(const Options& options, Progress& progress) {
   try {
     if (options.kernel == "exact") return run<Exact_kernel>(options, progress);
     return run<Inexact_kernel>(options, progress);
@@ -72,7 +71,7 @@ Status run_guarded(const Options& options) {
 
 // Tells of a failure on stderr and in the reports. Where an earlier run left a result in the folder, that goes: the
 // report no longer speaks of it.
-int finish(const Status& status, const Options& options) {
+int finish(const Status& status, const Options& options, const Progress& progress) {
   const int exit = exit_status(status.code);
   if (exit == 0) return exit;
   std::cerr << "ccsweep: " << name(status.code) << ": " << status.reason;
@@ -84,6 +83,9 @@ int finish(const Status& status, const Options& options) {
       std::cerr << "ccsweep: " << removed.reason << '\n';
   if (const Status written = write_reports(CCSweep::make_report(status), options); !written.ok())
     std::cerr << "ccsweep: " << written.reason << '\n';
+  if (!options.dump.empty())
+    if (const Status written = progress.write_last_layer(options.dump); !written.ok())
+      std::cerr << "ccsweep: " << written.reason << '\n';
   return exit;
 }
 
@@ -149,6 +151,7 @@ void add_options(CLI::App& command, Options& options) {
       .add_option("--angle", options.angle, "patches of a part without patch ids end where it turns by more, degrees")
       ->check(between(0, 179))
       ->capture_default_str();
+  command.add_option("--dump", options.dump, "on failure, draw the layer that failed in this folder (SVG and VTP)");
   command.add_option("--report", options.report, "write a report in JSON to this file");
   command.add_flag("--quiet", options.is_quiet, "print nothing but the reason of a failure");
 }
@@ -174,5 +177,6 @@ int main(int argc, char* argv[]) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   options.inspects = inspect_command->parsed();
-  return finish(run_guarded(options), options);
+  Progress progress(!options.is_quiet && isatty(STDERR_FILENO) == 1, !options.dump.empty());
+  return finish(run_guarded(options, progress), options, progress);
 }

@@ -7,6 +7,7 @@
 // of the program's build time.
 #include <CCSweep/IO/read_part.h>
 #include <CCSweep/IO/round_to_double.h>
+#include <CCSweep/IO/write_layer.h>
 #include <CCSweep/IO/write_report.h>
 #include <CCSweep/IO/write_volumes.h>
 #include <CCSweep/decompose.h>
@@ -36,7 +37,7 @@ using CCSweep::Status_code;
 
 struct Options {
   bool inspects = false;  // or decomposes
-  std::string part, folder, report;
+  std::string part, folder, report, dump;
   std::array<double, 3> direction{};  // zero: the algorithm chooses
   std::vector<int> sources, targets;  // empty: the algorithm chooses
   double tolerance = 1e-5, spanning_angle = 7.5, angle = 30;
@@ -45,10 +46,11 @@ struct Options {
   bool is_quiet = false;
 };
 
-// Shows the running stage in one line of a terminal, and remembers it for the report of a failure nobody foresaw.
+// Shows the running stage in one line of a terminal. Remembers it for the report of a failure nobody foresaw, and how
+// to write the layer drawn last, which is the one that failed.
 class Progress : public CCSweep::Visitor_base {
  public:
-  explicit Progress(bool is_shown) : is_shown_(is_shown) {}
+  Progress(bool is_shown, bool keeps_layers) : is_shown_(is_shown), keeps_layers_(keeps_layers) {}
 
   void begin(Stage stage, std::size_t total) {
     stage_ = stage;
@@ -68,6 +70,18 @@ class Progress : public CCSweep::Visitor_base {
     if (is_shown_) std::fputs("\r\033[K", stderr);
   }
 
+  template <class LayerDrawing>
+  void drawn(std::size_t layer, const LayerDrawing& drawing, const std::vector<int>& patch_id) {
+    if (!keeps_layers_) return;
+    write_last_layer_ = [=](const std::string& folder) {
+      return CCSweep::write_layer(layer, drawing, patch_id, folder);
+    };
+  }
+
+  Status write_last_layer(const std::string& folder) const {
+    return write_last_layer_ ? write_last_layer_(folder) : Status{};
+  }
+
   Stage stage() const { return stage_; }
 
  private:
@@ -79,7 +93,8 @@ class Progress : public CCSweep::Visitor_base {
     std::fflush(stderr);
   }
 
-  bool is_shown_;
+  bool is_shown_, keeps_layers_;
+  std::function<Status(const std::string&)> write_last_layer_;
   Stage stage_ = Stage::input;
   std::size_t done_ = 0, total_ = 0;
 };

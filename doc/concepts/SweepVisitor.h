@@ -31,6 +31,10 @@ class SweepVisitor {
   /// \name Topology
   /// @{
 
+  /// Called before the loops of a layer are overlaid: once for each layer, in ascending order. `drawing` is a
+  /// `CCSweep::Layer_drawing`, `patch_id[i]` the id of its label i; both live as long as the call.
+  template <class LayerDrawing>
+  void drawn(std::size_t layer, const LayerDrawing& drawing, const std::vector<int>& patch_id);
   /// Called after the sources and targets of a layer have been overlaid: once for each level, in ascending order.
   /// `graph` is a model of `LoopFaceGraph` and lives as long as the call.
   template <class LoopFaceGraph>

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <vector>
 
 namespace CCSweep {
 
@@ -18,6 +19,8 @@ namespace CCSweep {
 /// - `end(stage)` comes after the last step: once, unless the stage fails or is cancelled.
 /// - `cancel()` comes before each step, at least once for each; when it returns true the call ends with
 ///   `Status_code::cancelled`.
+/// - `drawn(layer, drawing, patch_id)` comes before the loops of a layer are overlaid, once for each layer; `drawing` is
+///   a `Layer_drawing`, `patch_id[i]` the id of its label i, and both live as long as the call.
 /// - `imprinted(layer, graph)` comes after the sources and targets of a layer have been overlaid, once for each level;
 ///   `graph` is a model of `LoopFaceGraph` and lives as long as the call.
 ///
@@ -31,11 +34,14 @@ concept SweepVisitor = requires(V& visitor, Stage stage, std::size_t total) {
   { visitor.cancel() } -> std::convertible_to<bool>;
 };
 
-/// A `SweepVisitor` that also takes the imprinted layers, as graphs of type `LoopFaceGraph`.
-template <class V, class LoopFaceGraph>
-concept SweepVisitorOf = SweepVisitor<V> && requires(V& visitor, std::size_t layer, const LoopFaceGraph& graph) {
-  visitor.imprinted(layer, graph);
-};
+/// A `SweepVisitor` that also takes the layers, before and after their imprint.
+template <class V, class LayerDrawing, class LoopFaceGraph>
+concept SweepVisitorOf =
+    SweepVisitor<V> && requires(V& visitor, std::size_t layer, const LayerDrawing& drawing,
+                                const std::vector<int>& patch_id, const LoopFaceGraph& graph) {
+      visitor.drawn(layer, drawing, patch_id);
+      visitor.imprinted(layer, graph);
+    };
 
 /// The visitor that does nothing: the default, and a base for those that need but a few of the calls. Calls are bound
 /// at compile time, so that a call nobody overrides costs nothing.
@@ -44,6 +50,8 @@ struct Visitor_base {
   void step(Stage) {}
   void end(Stage) {}
   bool cancel() { return false; }
+  template <class LayerDrawing>
+  void drawn(std::size_t, const LayerDrawing&, const std::vector<int>&) {}
   template <class LoopFaceGraph>
   void imprinted(std::size_t, const LoopFaceGraph&) {}
 };

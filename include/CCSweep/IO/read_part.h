@@ -13,6 +13,7 @@
 #include <CCSweep/part/check_soup.h>
 #include <CCSweep/part/detect_patches.h>
 #include <CCSweep/part/triangulate_soup.h>
+#include <CCSweep/part/weld_by_fans.h>
 
 #include <algorithm>
 #include <cctype>
@@ -68,6 +69,8 @@ Tagged_mesh<Point> make_mesh(const Polygon_soup& soup) {
   return result;
 }
 
+inline bool is_triangulated(const Polygon_soup& soup) { return soup.corners.size() == 3 * soup.number_of_polygons(); }
+
 // Fails with the status of a step, the file named in its reason.
 inline void require(Status status, const std::string& path) {
   if (status.ok()) return;
@@ -86,6 +89,9 @@ T take(Result<T> result, const std::string& path) {
 /// Reads a part: the file's polygons are checked (`check_soup()`), triangulated, and get patch ids by their dihedral
 /// angles (`detect_patches()`) unless the file brings them.
 ///
+/// Where the surface only touches itself, in an edge or a vertex that its sheets share in the file, each sheet gets
+/// vertices of its own (`weld_by_fans()`).
+///
 /// What needs geometry (inside out, self-intersection, several solids) is not checked here: `check_input()` does.
 ///
 /// \tparam Point a 3D point of any kernel whose points can be made from three doubles
@@ -101,11 +107,19 @@ Result<Tagged_mesh<Point>> read_part(const std::string& path, const Read_options
     Polygon_soup soup = internal::take(read_soup(path), path);
     if (!soup.has_patch_ids() && !options.detect_patches)
       internal::fail(Status_code::missing_patch_ids, Stage::input, path + ": the facets carry no patch ids");
-    internal::require(check_soup(soup), path);
-    if (soup.corners.size() != 3 * soup.number_of_polygons()) {
+    Status status = check_soup(soup);
+    if (status.ok() && !internal::is_triangulated(soup)) {
       soup = internal::take(triangulate_soup(std::move(soup)), path);
-      internal::require(check_soup(soup), path);  // two diagonals may have fallen on the same edge
+      status = check_soup(soup);  // two diagonals may have fallen on the same edge
     }
+    if (status.code == Status_code::not_manifold && internal::is_triangulated(soup)) {
+      Polygon_soup apart = weld_by_fans(soup);
+      if (check_soup(apart).ok()) {
+        soup = std::move(apart);
+        status = Status();
+      }
+    }
+    internal::require(status, path);
     Tagged_mesh<Point> part = internal::make_mesh<Point>(soup);
     if (!soup.has_patch_ids()) detect_patches(part.mesh, part.mesh.points(), part.patch_ids(), options.angle);
     return part;

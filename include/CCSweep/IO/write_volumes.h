@@ -5,6 +5,7 @@
 
 #include <CCSweep/IO/internal/encode.h>
 #include <CCSweep/IO/internal/staged_files.h>
+#include <CCSweep/IO/internal/vtp_array.h>
 #include <CCSweep/Status.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/volumes/Decomposition.h>
@@ -101,16 +102,16 @@ class Vtp_encoder {
   }
 
   std::string encode() const {
-    std::string out =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n";
-    out += "<PolyData>\n<Piece NumberOfPoints=\"" + std::to_string(number_of_points_);
-    out += "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"";
-    out += std::to_string(number_of_cells_) + "\">\n";
+    std::string out = vtp_head("NumberOfPoints=\"" + std::to_string(number_of_points_) +
+                               "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+                               std::to_string(number_of_cells_) + "\"");
     out += "<CellData Scalars=\"volume\">\n";
-    out += array("Int32", "volume", volume_) + array("Int32", "patch_id", patch_) + array("Int32", "role", role_);
-    out += "</CellData>\n<Points>\n" + array("Float64", "Points", points_, " NumberOfComponents=\"3\"");
-    out += "</Points>\n<Polys>\n" + array("Int32", "connectivity", corners_) + array("Int32", "offsets", offsets_);
-    return out + "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    out += vtp_array("Int32", "volume", volume_) + vtp_array("Int32", "patch_id", patch_);
+    out += vtp_array("Int32", "role", role_);
+    out += "</CellData>\n<Points>\n" + vtp_array("Float64", "Points", points_, " NumberOfComponents=\"3\"");
+    out += "</Points>\n<Polys>\n" + vtp_array("Int32", "connectivity", corners_);
+    out += vtp_array("Int32", "offsets", offsets_);
+    return out + "</Polys>\n" + vtp_tail();
   }
 
  private:
@@ -139,11 +140,6 @@ class Vtp_encoder {
   static void put(std::string& out, T value, char separator) {
     append_text(out, value);
     out += separator;
-  }
-
-  static std::string array(const char* type, const char* name, const std::string& values, const char* more = "") {
-    return std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\"" + more + " format=\"ascii\">\n" +
-           values + "</DataArray>\n";
   }
 
   std::string points_, corners_, offsets_, volume_, patch_, role_;

@@ -27,6 +27,8 @@ namespace internal {
 
 template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 class Layer_sweeper {
+  static_assert(SweepVisitorOf<Visitor, Layer_drawing<Traits>, Loop_face_graph<Traits>>);
+
  public:
   Layer_sweeper(const Part<Traits>& part, const Roles& roles, const Layering& layering, const Wall_sections& sections,
                 double tolerance, std::size_t neighbours, Visitor& visitor)
@@ -94,6 +96,7 @@ class Layer_sweeper {
     draw_arriving_loops(layer, drawn);
     draw_projected_cuts(drawn);
     draw_caps(layer, drawn);
+    visitor_.drawn(layer.value(), drawn.drawing(), part_.patch_id);
     Result<Imprint<Traits>> imprint = imprint_layer<Traits, SegmentIndex>(drawn.drawing(), tolerance_);
     if (!imprint) fail_with_patch_ids(imprint.status(), layer);
     if (layering_.level(layer).is_valid()) visitor_.imprinted(layer.value(), imprint.value().graph);

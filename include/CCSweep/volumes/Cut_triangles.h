@@ -43,6 +43,7 @@ class Cut_triangulator {
     join_cells_up();
     join_cells_along();
     number_sets();
+    cancel_folds();
     return std::move(result_);
   }
 
@@ -183,6 +184,44 @@ class Cut_triangulator {
       const std::size_t end = c + 1 < cells_.size() ? cells_[c + 1].first_triangle : result_.triangles.size();
       result_.set.resize(end, number.at(loop_edges_->root(c)));
     }
+  }
+
+  // Where the imprint has drawn two neighbours of a cut onto one line, the cut runs there and back: between its two
+  // sheets is nothing, and they cancel.
+  void cancel_folds() {
+    std::map<std::pair<Triangle, Pair>, std::size_t> seen;
+    std::vector<bool> stays(result_.triangles.size(), true);
+    for (std::size_t t = 0; t < stays.size(); ++t) {
+      const bool is_ordered = result_.left[t] < result_.right[t];
+      const Pair pair = std::minmax(result_.left[t], result_.right[t]);
+      const Triangle front = turned_to(result_.triangles[t], is_ordered), back = turned_to(result_.triangles[t], !is_ordered);
+      const auto other = seen.find({back, pair});
+      if (other == seen.end()) {
+        seen.emplace(std::pair(front, pair), t);
+      } else {
+        stays[t] = stays[other->second] = false;
+        seen.erase(other);
+      }
+    }
+    keep(stays, result_.triangles);
+    keep(stays, result_.left);
+    keep(stays, result_.right);
+    keep(stays, result_.set);
+  }
+
+  // From the lowest vertex on, as it is or the other way round.
+  static Triangle turned_to(Triangle v, bool as_it_is) {
+    if (!as_it_is) std::swap(v[1], v[2]);
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    return v;
+  }
+
+  template <class T>
+  static void keep(const std::vector<bool>& stays, std::vector<T>& values) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (stays[i]) values[n++] = values[i];
+    values.resize(n);
   }
 
   const Layered_loops<Traits>& loops_;

@@ -16,7 +16,9 @@
 #include <CCSweep/volumes/separate_fans.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -175,7 +177,7 @@ class Sub_volume_builder {
     for (const Piece& p : pieces) triangles.push_back(p.vertices);
     const auto fans = Fan_separator::run(
         triangles, [&](std::uint32_t v) { return Part<Traits>::coordinates(surface_.points[v]); });
-    if (!fans) report_open(target);
+    if (!fans) report_open(target, triangles);
     Sub_volume<Point_3> volume;
     volume.target = part_.id(target);
     auto& mesh = volume.mesh;
@@ -193,7 +195,7 @@ class Sub_volume_builder {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       auto vertex = [&](int k) { return CGAL::SM_Vertex_index(static_cast<std::uint32_t>((*fans)[t][k])); };
       const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
-      if (!face.is_valid()) report_open(target);
+      if (!face.is_valid()) report_open(target, triangles);
       patch_id.first[face] = pieces[t].patch_id;
       role.first[face] = static_cast<int>(pieces[t].role);
       if (pieces[t].role == Role::source) sources.insert(pieces[t].patch_id);
@@ -202,9 +204,20 @@ class Sub_volume_builder {
     return volume;
   }
 
-  [[noreturn]] void report_open(Patch_index target) const {
+  // The place is the first edge that does not run as often forth as back.
+  [[noreturn]] void report_open(Patch_index target, const std::vector<Triangle>& triangles) const {
+    std::map<Vertex_pair, int> balance;
+    for (const Triangle& t : triangles)
+      for (int k = 0; k < 3; ++k) {
+        const auto a = t[k], b = t[(k + 1) % 3];
+        balance[std::minmax(a, b)] += a < b ? 1 : -1;
+      }
+    const auto open = std::find_if(balance.begin(), balance.end(), [](const auto& e) { return e.second != 0; });
+    std::optional<std::array<double, 3>> place;
+    if (open != balance.end()) place = Part<Traits>::coordinates(surface_.points[open->first.first]);
     fail(Status_code::sub_volume_not_closed, Stage::sub_volumes,
-         "the cuts do not close the sub-volume of target " + std::to_string(part_.id(target)), {part_.id(target)});
+         "the cuts do not close the sub-volume of target " + std::to_string(part_.id(target)), {part_.id(target)},
+         place);
   }
 
   const Part<Traits>& part_;
