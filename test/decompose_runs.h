@@ -34,7 +34,7 @@ using Outcome = CCSweep::Result<Decomposition>;
 
 /// Writes down every call, and stops the run at one of the questions.
 struct Recorder {
-  enum class Kind { begin, step, end, cancel, imprinted };
+  enum class Kind { begin, step, end, cancel, drawn, imprinted };
   struct Call {
     Kind kind;
     CCSweep::Stage stage = CCSweep::Stage::input;
@@ -49,6 +49,10 @@ struct Recorder {
   bool cancel() {
     calls.push_back({Kind::cancel});
     return ++questions == refused_question;
+  }
+  template <class LayerDrawing>
+  void drawn(std::size_t layer, const LayerDrawing&, const std::vector<int>&) {
+    calls.push_back({Kind::drawn, CCSweep::Stage::imprint, layer});
   }
   template <class LoopFaceGraph>
   void imprinted(std::size_t layer, const LoopFaceGraph&) {

@@ -120,6 +120,15 @@ BOOST_AUTO_TEST_CASE(stl_is_welded_by_fans) {
   BOOST_TEST(at_an_edge.value().mesh.number_of_vertices() == bosses_that_touch().points.size());
   BOOST_TEST(check_input(at_an_edge.value().mesh, at_an_edge.value().mesh.points()).ok());
 
+  // So is a surface whose sheets share what they touch in, whatever the format.
+  Polygon_soup shared = triangulated(bosses_that_touch());
+  std::map<std::array<double, 3>, Polygon_soup::Vertex> first;
+  for (auto& corner : shared.corners) corner = first.try_emplace(shared.points[corner], corner).first->second;
+  BOOST_TEST(check_soup(shared).code == Status_code::not_manifold);
+  const auto from_off = scratch.read("a.off", off(shared));
+  BOOST_REQUIRE_MESSAGE(from_off.ok(), from_off.status().reason);
+  BOOST_TEST(from_off.value().mesh.number_of_vertices() == bosses_that_touch().points.size());
+
   // Two cubes that touch in an edge or in a corner: the surface is that of two solids, but it is sound.
   for (double z : {0.0, 1.0}) {
     const auto cubes = both(cube(), box({1, 1, z}, {2, 2, z + 1}));

@@ -224,9 +224,12 @@ class Segment_snapper {
     if (n == a(s) || n == b(s) || foot_on_[n.value()] == s) return;
     const bool is_wall = drawing_.segments[s].fixed || runs_along_a_wall(s);
     const Closest c = closest(nodes_.place(n), nodes_.place(a(s)), nodes_.place(b(s)));
-    // Where both ends of an arc's facet moved onto another facet, the corner between is that much further from it.
-    const double moved = tolerance(n, s) > tolerance_ ? std::fmax(displacement(s), drawing_.segments[s].chord_error)
-                                                      : displacement(s);
+    // Where both ends of an arc's facet came onto walls, those of another facet, the corner between is that much
+    // further from it.
+    const bool is_on_walls = nodes_.fixed[a(s).value()] && nodes_.fixed[b(s).value()];
+    const double moved = is_on_walls && tolerance(n, s) > tolerance_
+                             ? std::fmax(displacement(s), drawing_.segments[s].chord_error)
+                             : displacement(s);
     const double allowed = is_wall ? rounding_ : tolerance(n, s) + moved;
     if (c.parameter == 0 || c.parameter == 1 || c.distance > allowed) return;
     if (!is_wall && !clearance_.allows(nodes_.place(n), c.distance, incident(n, s))) return;

@@ -46,6 +46,29 @@ double distance_outside(const Part<Traits>& part, typename Part<Traits>::Face f,
   return worst;
 }
 
+/// A place in a face, or on the edge or the vertex of the face that it all but lies on: a curve from there would cross
+/// that edge again within a rounding error.
+template <class Traits>
+Dropped_point<Traits> settled_in_face(const Part<Traits>& part, typename Part<Traits>::Face f,
+                                      const typename Traits::Point_3& p) {
+  const double near = 1e-9 * part.diagonal;
+  const Vec3 q = Part<Traits>::coordinates(p);
+  for (auto h : part.mesh.halfedges_around_face(part.mesh.halfedge(f))) {
+    const auto e = part.mesh.edge(h);
+    const auto first = part.first_halfedge(e);
+    const Vec3 a = part.coordinates(part.mesh.source(first)), w = part.coordinates(part.mesh.target(first)) - a;
+    const double length = norm(w), along = dot(q - a, w) / length;
+    if (along < -near || along > length + near || norm(cross(w, q - a)) > near * length) continue;
+    if (along <= near || along >= length - near) {
+      const auto v = along <= near ? part.mesh.source(first) : part.mesh.target(first);
+      return {part.point(v), Surface_location::vertex(v)};
+    }
+    const double t = along / length;
+    return {point_on_edge(part, e, t), Surface_location::edge(e, t)};
+  }
+  return {p, Surface_location::face(f)};
+}
+
 /// The point of a patch that p meets along `direction`. On a planar patch the location names any of its faces, as the
 /// patch is cut as a whole. Complexity: constant on a planar patch, else linear in its faces.
 template <class Traits>
@@ -64,7 +87,9 @@ std::optional<Dropped_point<Traits>> drop_to_patch(const Part<Traits>& part, Pat
     }
     if (!(least <= 1e-6 * part.diagonal)) return std::nullopt;
   }
-  return Dropped_point<Traits>{drop_to_plane(part, best, p, direction), Surface_location::face(best)};
+  const auto dropped = drop_to_plane(part, best, p, direction);
+  if (part.planar[patch.value()]) return Dropped_point<Traits>{dropped, Surface_location::face(best)};
+  return settled_in_face(part, best, dropped);
 }
 
 }  // namespace CCSweep::internal
