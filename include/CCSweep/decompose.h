@@ -56,7 +56,9 @@ class Decomposer {
       // Candidates with equally many targets compete by their decomposition sets.
       std::size_t j = i + 1;
       if (targets(candidates[i]) > 1)
-        while (j < candidates.size() && targets(candidates[j]) == targets(candidates[i])) ++j;
+        while (j < candidates.size() && candidates[j].is_steep == candidates[i].is_steep &&
+               targets(candidates[j]) == targets(candidates[i]))
+          ++j;
       if (auto best = best_of(candidates, i, j, first_failure, notes)) {
         best->notes.insert(best->notes.begin(), notes.begin(), notes.end());
         best->seconds = run_.seconds();

@@ -26,6 +26,7 @@ namespace internal {
 // chamfers and domes: a wall may lean by 48 degrees, a cap may bend by 72.
 struct Role_limits {
   static constexpr double steepest_wall = 0.75;   // |n.d|
+  static constexpr double steep_wall = 0.6;       // |n.d| of a wall that hardly is one any more
   static constexpr double flattest_cap = 0.3;     // |n.d| anywhere on a cap
   static constexpr double tangent = 30 * 3.14159265358979323846 / 180;
 };
@@ -88,6 +89,8 @@ void classify_patches(const Part<Traits>& part, Axis_trial& trial) {
           {{id}, "patch " + std::to_string(id) + " stands neither across the sweep nor along it" +
                      (s.low * s.high < 0 ? " (a hole across the sweep, or a closed round surface)"
                                          : " (it bends from cap to wall: a fillet?)")});
+    } else if (std::max(-s.low, s.high) > Role_limits::steep_wall) {
+      trial.roles.is_steep = true;
     }
     if (role == Role::target) {
       trial.lowest_target = trial.targets == 0 ? part.patch_id[p] : std::min(trial.lowest_target, part.patch_id[p]);
@@ -249,7 +252,8 @@ std::vector<Axis_trial> try_bent_sweeps(const Part<Traits>& part, const Role_req
 /// Tautges 2000), by the angles of the patches with the sweep and of the curves between them; where no straight sweep
 /// fits, walks from each planar patch over the linking faces to find one that bends.
 ///
-/// \return the possible roles, best first: fewest targets, then smaller target area, then the lowest patch id among
+/// \return the possible roles, best first: without steep walls (a sweep along the diagonal of a chamfered block fits, but
+/// is nobody's first choice), fewest targets, then smaller target area, then the lowest patch id among
 /// the targets; never empty. Where there are none: `not_sweepable` with, for the best axis, the patches that stand in
 /// the way and why; `invalid_parameter` where the request names no patch of the part.
 /// Complexity: linear in the faces, times the number of candidate axes.
@@ -277,8 +281,8 @@ Result<std::vector<Roles>> assign_roles(const Part<Traits>& part, const Role_req
     // Areas that differ by rounding only must not decide before the patch ids do.
     const double unit_area = 1e-9 * part.diagonal * part.diagonal;
     std::stable_sort(sweepable.begin(), sweepable.end(), [&](const Axis_trial& a, const Axis_trial& b) {
-      return std::tuple(a.targets, std::llround(a.target_area / unit_area), a.lowest_target) <
-             std::tuple(b.targets, std::llround(b.target_area / unit_area), b.lowest_target);
+      return std::tuple(a.roles.is_steep, a.targets, std::llround(a.target_area / unit_area), a.lowest_target) <
+             std::tuple(b.roles.is_steep, b.targets, std::llround(b.target_area / unit_area), b.lowest_target);
     });
     std::vector<Roles> result;
     for (Axis_trial& trial : sweepable) result.push_back(std::move(trial.roles));
