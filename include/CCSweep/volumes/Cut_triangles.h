@@ -63,13 +63,14 @@ class Cut_triangulator {
     const auto right = surface_.path(vertex(row.bottom[i + 1]), vertex(row.top[i + 1]));
     const auto top = surface_.path(vertex(row.top[i]), vertex(row.top[i + 1]));
     const auto left = surface_.path(vertex(row.bottom[i]), vertex(row.top[i]));
-    const bool left_on_wall = is_on_surface(row.bottom[i]), right_on_wall = is_on_surface(row.bottom[i + 1]);
-    if (left_on_wall && !right_on_wall && bottom.size() + right.size() == 4)
-      add_fan(bottom.back(), joined(reversed_path(top), reversed_path(left)));
-    else if (right_on_wall && !left_on_wall && bottom.size() + left.size() == 4)
-      add_fan(bottom.front(), joined(right, reversed_path(top)));
-    else if (bottom.size() + right.size() + top.size() + left.size() > 8)
+    const bool is_plain = bottom.size() + right.size() + top.size() + left.size() == 8;
+    const bool has_collapsed = bottom.front() == bottom.back() || top.front() == top.back() ||
+                               left.front() == left.back() || right.front() == right.back();
+    // A fan far up a wall would cut into it where it bulges between.
+    if (!is_plain && !has_collapsed)
       add_polygon(bottom, right, top, left);
+    else if (is_on_surface(row.bottom[i]) && !is_on_surface(row.bottom[i + 1]))
+      add_fan(bottom.back(), joined(reversed_path(top), reversed_path(left)));
     else
       add_fan(bottom.front(), joined(right, reversed_path(top)));
     for (std::size_t t = cells_.back().first_triangle; t < result_.triangles.size(); ++t) {
