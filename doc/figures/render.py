@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws a decomposition: each volume_*.ply of a folder in a colour of its own, pulled apart.
 
-    doc/figures/render.py DIR OUT.png [--explode 0.35] [--view x,y,z] [--up x,y,z] [--size 1600x1200] [--edges]
+    doc/figures/render.py DIR OUT.png [--before PART.ply] [--explode 0.35] [--view x,y,z] [--up x,y,z]
+        [--size 1600x1200] [--edges]
 
 Needs VTK for Python (Debian: python3-vtk9). Draws off screen; where no display can be opened, run it under xvfb-run.
 """
@@ -112,14 +113,17 @@ def aim(renderer, points, options):
 
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
-    camera.SetParallelScale(0.53 * max(height, width * options.size[1] / options.size[0]))
+    left, bottom, right_end, top = renderer.GetViewport()
+    aspect = (right_end - left) * options.size[0] / ((top - bottom) * options.size[1])
+    camera.SetParallelScale(0.53 * max(height, width / aspect))
     camera.SetFocalPoint(middle)
     camera.SetPosition([m + depth * v for m, v in zip(middle, view)])
     camera.SetViewUp([up[i] for i in range(3)])
     renderer.ResetCameraClippingRange()
 
 
-def draw(meshes, options):
+def scene(meshes, colours, explode, viewport, options):
+    """A renderer of meshes that are pulled apart from the middle of all of them."""
     whole = vtkBoundingBox()
     for mesh in meshes:
         whole.AddBounds(mesh.GetBounds())
@@ -127,21 +131,30 @@ def draw(meshes, options):
     whole.GetCenter(centre)
 
     renderer = vtkRenderer()
+    renderer.SetViewport(viewport)
     renderer.SetBackground(1, 1, 1)
     lights = vtkLightKit()
     lights.AddLightsToRenderer(renderer)
     points = []
     for i, mesh in enumerate(meshes):
-        shift = [options.explode * (own - mid) for own, mid in zip(mesh.GetCenter(), centre)]
-        add_volume(renderer, mesh, COLOURS[i % len(COLOURS)], shift, options.edges)
+        shift = [explode * (own - mid) for own, mid in zip(mesh.GetCenter(), centre)]
+        add_volume(renderer, mesh, colours[i % len(colours)], shift, options.edges)
         points += corners(mesh.GetBounds(), shift)
     aim(renderer, points, options)
+    return renderer
+
+
+def draw(meshes, before, options):
+    scenes = [scene(meshes, COLOURS, options.explode, (0.5 if before else 0, 0, 1, 1), options)]
+    if before:
+        scenes.append(scene([before], ["#B8C4CE"], 0, (0, 0, 0.5, 1), options))
 
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(options.size)
-    window.AddRenderer(renderer)
+    for renderer in scenes:
+        window.AddRenderer(renderer)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
@@ -156,6 +169,7 @@ def main():
     parser = argparse.ArgumentParser(description="Draws a decomposition, pulled apart, as a PNG image.")
     parser.add_argument("folder", type=pathlib.Path, help="what `ccsweep decompose --out` wrote")
     parser.add_argument("out", type=pathlib.Path, help="the PNG file")
+    parser.add_argument("--before", type=pathlib.Path, help="the part, to be drawn on the left")
     parser.add_argument("--explode", type=float, default=0.35, help="how far apart; 0 leaves the part together")
     parser.add_argument("--view", type=triple, default=[-1.2, -2.0, 1.1], help="from the part to the eye")
     parser.add_argument("--up", type=triple, default=[0.0, 0.0, 1.0])
@@ -165,7 +179,7 @@ def main():
     files = sorted(options.folder.glob("volume_*.ply"))
     if not files:
         sys.exit(f"{options.folder} holds no volume_*.ply")
-    draw([read(path) for path in files], options)
+    draw([read(path) for path in files], read(options.before) if options.before else None, options)
 
 
 if __name__ == "__main__":
