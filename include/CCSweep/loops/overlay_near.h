@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -70,15 +71,56 @@ bool runs_on(const Layer_nodes<Traits>& nodes, const std::array<Node_index, 2>& 
   return false;
 }
 
-// Finds all pairs of segments whose boxes meet and that `may_meet` lets pass. Outlines are ordered: neighbours in the
-// sequence lie side by side in the plane, so the index gets short runs of them, and is an eighth of the size and asked
-// an eighth as often.
+// Numbers the courses of a sequence of segments: a course is as long as the sequence runs on without turning back in x
+// or y, and no segment of it is short. Segments of one course never come near each other, but for neighbours, which
+// meet where the second begins.
+class Course_counter {
+ public:
+  explicit Course_counter(double reach) : reach_(reach) {}
+
+  // The course of a segment from box `a` to box `b`, which are those of its ends.
+  std::uint32_t operator()(Node_index from, const CGAL::Bbox_2& a, Node_index to, const CGAL::Bbox_2& b) {
+    const unsigned senses = this->senses(a.xmin(), a.xmax(), b.xmin(), b.xmax()) |
+                            this->senses(a.ymin(), a.ymax(), b.ymin(), b.ymax()) << 2;
+    const double gap = std::max({b.xmin() - a.xmax(), a.xmin() - b.xmax(), b.ymin() - a.ymax(), a.ymin() - b.ymax()});
+    const bool is_short = !(gap > reach_);
+    senses_ &= senses;
+    if (from != end_ || is_short || (senses_ & 3) == 0 || (senses_ & 12) == 0) {
+      ++course_;
+      senses_ = is_short ? 0 : senses;
+    }
+    end_ = to;
+    return course_;
+  }
+
+ private:
+  // One bit if a coordinate does not fall, another if it does not rise.
+  static unsigned senses(double a_low, double a_high, double b_low, double b_high) {
+    return static_cast<unsigned>(a_low <= b_low && a_high <= b_high) |
+           static_cast<unsigned>(a_low >= b_low && a_high >= b_high) << 1;
+  }
+
+  double reach_;
+  Node_index end_;
+  unsigned senses_ = 0;
+  std::uint32_t course_ = 0;
+};
+
+// Segments in a sequence, as a search for near ones sees them.
+struct Course_box : Flat_box {
+  std::uint32_t course;
+};
+
+// Finds all pairs of segments whose boxes meet and that `may_meet` lets pass, except pairs of one course. Outlines are
+// ordered: neighbours in the sequence lie side by side in the plane, so the index gets short runs of them, and is an
+// eighth of the size and asked an eighth as often.
 template <class SegmentIndex, class May_meet>
 class Near_pairs {
  public:
-  static std::vector<Near_pair> of(const std::vector<Flat_box>& boxes, const May_meet& may_meet) {
+  static std::vector<Near_pair> of(const std::vector<Course_box>& boxes, const May_meet& may_meet) {
     Near_pairs search(boxes, may_meet);
     search.make_runs();
+    for (std::uint32_t run = 0; run < search.runs_.size(); ++run) search.within(run);
     search.find();
     return std::move(search.pairs_);
   }
@@ -86,7 +128,7 @@ class Near_pairs {
  private:
   static constexpr std::uint32_t length = 8;
 
-  Near_pairs(const std::vector<Flat_box>& boxes, const May_meet& may_meet) : boxes_(boxes), may_meet_(may_meet) {}
+  Near_pairs(const std::vector<Course_box>& boxes, const May_meet& may_meet) : boxes_(boxes), may_meet_(may_meet) {}
 
   // Segments in no order do not meet their predecessors, and make runs of one.
   void make_runs() {
@@ -105,26 +147,33 @@ class Near_pairs {
 
   void find() {
     const SegmentIndex index(runs_);
-    std::vector<std::size_t> found;
-    for (std::size_t run = 0; run < runs_.size(); ++run) {
-      within(run);
-      found.clear();
-      index.candidates(runs_[run], std::back_inserter(found));
-      for (std::size_t other : found) {
-        if (run < other) between(run, other);
+    if constexpr (SelfJoiningSegmentIndex_2<SegmentIndex>) {
+      const auto meet = [this](const Near_pair& pair) { between(pair.first, pair.second); };
+      index.pairs(boost::make_function_output_iterator(meet));
+    } else {
+      std::vector<std::size_t> found;
+      for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+        found.clear();
+        index.candidates(runs_[run], std::back_inserter(found));
+        for (std::size_t other : found) {
+          if (run < other) between(run, static_cast<std::uint32_t>(other));
+        }
       }
     }
   }
 
-  void within(std::size_t run) {
-    for (std::uint32_t i = firsts_[run]; i < firsts_[run + 1]; ++i) {
-      for (std::uint32_t j = i + 1; j < firsts_[run + 1]; ++j) {
-        if (boxes_meet(boxes_[i], boxes_[j]) && may_meet_(i, j)) pairs_.emplace_back(i, j);
-      }
+  bool are_one_course(std::uint32_t i, std::uint32_t j) const { return boxes_[i].course == boxes_[j].course; }
+
+  void within(std::uint32_t run) {
+    const std::uint32_t first = firsts_[run], last = firsts_[run + 1];
+    if (are_one_course(first, last - 1)) return;
+    for (std::uint32_t i = first; i < last; ++i) {
+      for (std::uint32_t j = i + 1; j < last; ++j) add(i, j);
     }
   }
 
-  void between(std::size_t run, std::size_t other) {
+  void between(std::uint32_t run, std::uint32_t other) {
+    if (are_one_course(firsts_[run], firsts_[other + 1] - 1)) return;
     const Flat_box first = flat_box(runs_[run]), second = flat_box(runs_[other]);
     std::uint32_t near[length];
     std::uint32_t size = 0;
@@ -134,13 +183,15 @@ class Near_pairs {
     if (size == 0) return;
     for (std::uint32_t i = firsts_[run]; i < firsts_[run + 1]; ++i) {
       if (!boxes_meet(boxes_[i], second)) continue;
-      for (std::uint32_t k = 0; k < size; ++k) {
-        if (boxes_meet(boxes_[i], boxes_[near[k]]) && may_meet_(i, near[k])) pairs_.emplace_back(i, near[k]);
-      }
+      for (std::uint32_t k = 0; k < size; ++k) add(i, near[k]);
     }
   }
 
-  const std::vector<Flat_box>& boxes_;
+  void add(std::uint32_t i, std::uint32_t j) {
+    if (boxes_meet(boxes_[i], boxes_[j]) && !are_one_course(i, j) && may_meet_(i, j)) pairs_.emplace_back(i, j);
+  }
+
+  const std::vector<Course_box>& boxes_;
   const May_meet& may_meet_;
   std::vector<std::uint32_t> firsts_;  // the first segment of each run, and the number of segments
   std::vector<CGAL::Bbox_2> runs_;

@@ -95,15 +95,17 @@ Node_chains straight_chains(const Layer_drawing<Traits>& drawing, const Layer_no
 template <class SegmentIndex, class Traits>
 std::vector<Near_pair> near_steps(const Node_chains& chains, const Layer_nodes<Traits>& nodes, double reach) {
   const std::size_t size = chains.number_of_nodes() - chains.size();
-  std::vector<Flat_box> boxes;
+  std::vector<Course_box> boxes;
   std::vector<std::array<Node_index, 2>> ends;
   boxes.reserve(size);
   ends.reserve(size);
+  Course_counter course(2 * reach);
   for (std::size_t c = 0; c < chains.size(); ++c) {
     const std::span<const Node_index> chain = chains[c];
     for (std::size_t i = 1; i < chain.size(); ++i) {
       ends.push_back({chain[i - 1], chain[i]});
-      boxes.push_back(flat_box(nodes.box(chain[i - 1], chain[i]), reach));
+      const CGAL::Bbox_2 a = nodes.box(chain[i - 1]), b = nodes.box(chain[i]);
+      boxes.push_back({flat_box(a + b, reach), course(chain[i - 1], a, chain[i], b)});
     }
   }
   const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {

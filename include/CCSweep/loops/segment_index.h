@@ -29,6 +29,14 @@ concept SegmentIndex_2 = std::constructible_from < Index,
   index.candidates(box, std::back_inserter(found));
 };
 
+/// An index that finds all pairs of its own segments whose boxes meet at once, the lower number first, each pair once,
+/// in any order; it may report more. Where an index can, it is asked for this instead of once for every segment.
+template <class Index>
+concept SelfJoiningSegmentIndex_2 =
+    SegmentIndex_2<Index> &&requires(const Index& index, std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) {
+  index.pairs(std::back_inserter(found));
+};
+
 /// Model of `SegmentIndex_2`: a packed r-tree. Building takes O(n log n), a query O(log n + found) on well spread
 /// input. `Traits` is the kernel of the segments.
 template <class Traits>
@@ -66,7 +74,7 @@ class Rtree_segment_index_2 {
   Tree tree_;
 };
 
-/// Model of `SegmentIndex_2`: a hierarchy of boxes over runs of consecutive segments. Outlines are ordered, so nothing
+/// Model of `SelfJoiningSegmentIndex_2`: a hierarchy of boxes over runs of consecutive segments. Outlines are ordered, so nothing
 /// is sorted: building is linear, and a query takes O(log n + found) where neighbours in the sequence lie side by side.
 /// On segments in no order a query takes O(n). `Traits` is the kernel of the segments.
 template <class Traits>
@@ -92,6 +100,13 @@ class Run_segment_index_2 {
     return out;
   }
 
+  /// Writes the pairs of all segments whose boxes meet.
+  template <class OutputIterator>
+  OutputIterator pairs(OutputIterator out) const {
+    if (levels_.front().size > 0) join(levels_.size() - 1, 0, out);
+    return out;
+  }
+
  private:
   static constexpr std::size_t fan = 4;
   struct Level {
@@ -105,8 +120,35 @@ class Run_segment_index_2 {
       *out++ = run;
       return;
     }
-    const std::size_t end = std::min(fan * (run + 1), levels_[level - 1].size);
-    for (std::size_t i = fan * run; i < end; ++i) descend(level - 1, i, box, out);
+    for (std::size_t i = fan * run; i < end(level, run); ++i) descend(level - 1, i, box, out);
+  }
+
+  // The number after the last run that a run of the level above is made of.
+  std::size_t end(std::size_t level, std::size_t run) const {
+    return std::min(fan * (run + 1), levels_[level - 1].size);
+  }
+
+  template <class OutputIterator>
+  void join(std::size_t level, std::size_t run, OutputIterator& out) const {
+    if (level == 0) return;
+    for (std::size_t i = fan * run; i < end(level, run); ++i) {
+      join(level - 1, i, out);
+      for (std::size_t j = i + 1; j < end(level, run); ++j) join(level - 1, i, j, out);
+    }
+  }
+
+  template <class OutputIterator>
+  void join(std::size_t level, std::size_t run, std::size_t other, OutputIterator& out) const {
+    const CGAL::Bbox_2 &box = boxes_[levels_[level].first + run], &other_box = boxes_[levels_[level].first + other];
+    if (!CGAL::do_overlap(box, other_box)) return;
+    if (level == 0) {
+      *out++ = std::pair(static_cast<std::uint32_t>(run), static_cast<std::uint32_t>(other));
+      return;
+    }
+    for (std::size_t i = fan * run; i < end(level, run); ++i) {
+      if (!CGAL::do_overlap(boxes_[levels_[level - 1].first + i], other_box)) continue;
+      for (std::size_t j = fan * other; j < end(level, other); ++j) join(level - 1, i, j, out);
+    }
   }
 
   std::vector<CGAL::Bbox_2> boxes_;
