@@ -58,30 +58,25 @@ class Graph_builder {
   }
 
   void add_edge(std::span<const std::size_t> run) {
-    std::vector<Node_index> chain = nodes(run);
-    const Loop_vertex_index source = vertex(chain.front()), target = vertex(chain.back());
-    const Loop_coedge_index coedge = graph_.add_edge(source, target, std::move(chain));
+    collect_nodes(run);
+    const Loop_vertex_index source = vertex(chain_.front()), target = vertex(chain_.back());
+    const Loop_coedge_index coedge = graph_.add_edge(source, target, chain_);
     for (std::size_t h : run) {
       coedges_[h] = coedge;
       coedges_[h ^ 1] = graph_.opposite(coedge);
     }
   }
 
-  std::vector<Node_index> nodes(std::span<const std::size_t> run) const {
-    std::size_t size = 1;
-    for (std::size_t h : run) size += map_.path(h / 2).size() - 1;
-    std::vector<Node_index> result;
-    result.reserve(size);
-    result.push_back(map_.source(run.front()));
+  void collect_nodes(std::span<const std::size_t> run) {
+    chain_.assign(1, map_.source(run.front()));
     for (std::size_t h : run) {
       const std::span<const Node_index> path = map_.path(h / 2);
       if (h % 2 == 0) {
-        result.insert(result.end(), path.begin() + 1, path.end());
+        chain_.insert(chain_.end(), path.begin() + 1, path.end());
       } else {
-        result.insert(result.end(), path.rbegin() + 1, path.rend());
+        chain_.insert(chain_.end(), path.rbegin() + 1, path.rend());
       }
     }
-    return result;
   }
 
   void link() {
@@ -118,6 +113,7 @@ class Graph_builder {
   std::vector<Loop_vertex_index> vertices_;
   std::vector<bool> is_end_;
   std::vector<std::size_t> run_;
+  std::vector<Node_index> chain_;  // the nodes of the run
 };
 
 }  // namespace CCSweep::internal

@@ -39,13 +39,25 @@ inline Flat_box flat_box(const CGAL::Bbox_2& b, double inflated_by = 0) {
   return {b.xmin() - inflated_by, b.ymin() - inflated_by, b.xmax() + inflated_by, b.ymax() + inflated_by};
 }
 
-// Whether all of a segment cd is on one side of the line ab, and farther from it than `reach`. What rounding does to
-// the coordinates must be within the reach.
-inline bool is_beside(Place_2 a, Place_2 b, Place_2 c, Place_2 d, double reach) {
+// Positive if p is left of the line ab and farther from it than `reach`, negative if so on the right, else 0. What
+// rounding does to the coordinates must be within the reach.
+inline double clear_side(Place_2 a, Place_2 b, Place_2 p, double reach) {
   const double x = b[0] - a[0], y = b[1] - a[1];
-  const double s = x * (c[1] - a[1]) - y * (c[0] - a[0]), t = x * (d[1] - a[1]) - y * (d[0] - a[0]);
-  const double nearest = reach * reach * (x * x + y * y);
-  return s * t > 0 && s * s > nearest && t * t > nearest;
+  const double side = x * (p[1] - a[1]) - y * (p[0] - a[0]);
+  return side * side > reach * reach * (x * x + y * y) ? side : 0;
+}
+
+// Whether all of a segment cd is on one side of the line ab, and farther from it than `reach`.
+inline bool is_beside(Place_2 a, Place_2 b, Place_2 c, Place_2 d, double reach) {
+  return clear_side(a, b, c, reach) * clear_side(a, b, d, reach) > 0;
+}
+
+// Whether segments from c to u and to v get farther from each other than `reach`, wherever they end.
+inline bool are_spread(Place_2 c, Place_2 u, Place_2 v, double reach) {
+  const double ux = u[0] - c[0], uy = u[1] - c[1], vx = v[0] - c[0], vy = v[1] - c[1];
+  const double nearest = reach * reach;
+  if (ux * vx + uy * vy < 0) return ux * ux + uy * uy > nearest && vx * vx + vy * vy > nearest;
+  return clear_side(c, u, v, reach) != 0 && clear_side(c, v, u, reach) != 0;
 }
 
 // Whether two segments are certainly farther apart than `reach`.

@@ -7,12 +7,14 @@
 #include <CCSweep/loops/overlay_crossing.h>
 #include <CCSweep/loops/overlay_near.h>
 #include <CCSweep/loops/overlay_nodes.h>
+#include <CCSweep/loops/overlay_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <span>
@@ -26,7 +28,9 @@ namespace CCSweep::internal {
 // them a little, and these are tested again.
 //
 // What moves moves by less than `slack`, so all that will ever meet is near from the beginning: the index is asked
-// once, and later rounds go from near pairs of pieces to near pairs of their parts.
+// once, and later rounds go from near pairs of pieces to near pairs of their parts. Most crossings are clear: their
+// arms end so far from each other that rounding can't have brought their pieces together anywhere else. Pairs that meet
+// in such a crossing are set aside, and looked at again only if later rounds move anything.
 template <class Traits>
 class Overlay_pieces {
  public:
@@ -94,11 +98,13 @@ class Overlay_pieces {
     std::int8_t tested_in = 0;                // the round that tests it against all that are near
     std::int8_t split_in = -1;
     bool fixed = false;
+    bool clear = true;  // all its crossings are
   };
   struct Split {
     std::uint32_t piece;
     Node_index node;
-    bool exact;  // the node lies exactly on the piece
+    std::uint32_t other;  // the piece that it crosses there, if it does
+    bool exact;           // the node lies exactly on the piece
     auto operator<=>(const Split&) const = default;
   };
   struct Range {
@@ -108,6 +114,7 @@ class Overlay_pieces {
   void add(Node_index a, Node_index b, bool fixed, int tested_in) {
     pieces_.push_back({std::min(a, b), std::max(a, b)});
     pieces_.back().fixed = fixed;
+    pieces_.back().clear = has_plain_coordinates<Traits>;
     pieces_.back().tested_in = static_cast<std::int8_t>(tested_in);
   }
 
@@ -154,12 +161,15 @@ class Overlay_pieces {
   void find_splits() {
     splits_.clear();
     std::vector<Near_pair> crossings;
-    for (const auto& [i, j] : near_) {
-      if ((!is_new(i) && !is_new(j)) || has_twin(i) || has_twin(j)) continue;
-      if (meet(i, j)) crossings.emplace_back(std::minmax(i, j));
+    crosses_.assign(near_.size(), false);
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      const auto [i, j] = near_[k];
+      if ((!is_new(i) && !is_new(j)) || has_twin(i) || has_twin(j) || !meet(i, j)) continue;
+      crosses_[k] = true;
+      crossings.emplace_back(std::minmax(i, j));
     }
     if (crossings.empty()) return;
-    std::sort(crossings.begin(), crossings.end());
+    bucket_sort(crossings, pieces_.size(), [](const Near_pair& c) { return c.first; }, std::less<>());
     const std::vector<char> crowded = are_crowded(crossings);
     remember_nodes(crossings, crowded);
     for (std::size_t c = 0; c < crossings.size(); ++c) cross(crossings[c].first, crossings[c].second, crowded[c]);
@@ -234,9 +244,9 @@ class Overlay_pieces {
     const CGAL::Comparison_result order = Traits().compare_xy_2_object()(point(u), point(v));
     if (order == CGAL::EQUAL) return false;
     if ((order == CGAL::SMALLER) == ascending) {
-      split(j, u, true);
+      split_at(j, u);
     } else {
-      split(i, v, true);
+      split_at(i, v);
     }
     return false;
   }
@@ -249,7 +259,7 @@ class Overlay_pieces {
     if (side != CGAL::COLLINEAR) return;
     const auto &a = point(pieces_[i].a), &b = point(pieces_[i].b), &p = point(n);
     if (is_less_xy<Traits>(a, p) == is_less_xy<Traits>(p, b) && !is_equal<Traits>(a, p) && !is_equal<Traits>(p, b)) {
-      split(i, n, true);
+      split_at(i, n);
     }
   }
 
@@ -257,30 +267,43 @@ class Overlay_pieces {
     const Piece &p = pieces_[i], &q = pieces_[j];
     const bool fixed = p.fixed || q.fixed;
     const std::array<Node_index, 4> ends{p.a, p.b, q.a, q.b};
-    const Crossing crossing =
+    const std::size_t first_new = nodes_.points.size();
+    const auto [node, exact] =
         is_crowded ? pool_.crossing(ends, fixed, round_ == 0 && !fixed) : pool_.lonely_crossing(ends, fixed);
-    split(i, crossing.node, crossing.exact);
-    split(j, crossing.node, crossing.exact);
+    if (node.value() < first_new) pieces_[i].clear = pieces_[j].clear = false;
+    split({i, node, j, exact});
+    split({j, node, i, exact});
   }
 
-  void split(std::uint32_t piece, Node_index node, bool exact) {
-    if (node == pieces_[piece].a || node == pieces_[piece].b) return;
-    splits_.push_back({piece, node, exact});
-    if (pieces_[piece].fixed) nodes_.fixed[node.value()] = true;
+  // Splits a piece at a node that lies on it.
+  void split_at(std::uint32_t piece, Node_index node) {
+    pieces_[piece].clear = false;
+    split({piece, node, none, true});
+  }
+
+  void split(const Split& split) {
+    const Piece& piece = pieces_[split.piece];
+    if (split.node == piece.a || split.node == piece.b) return;
+    splits_.push_back(split);
+    if (piece.fixed) nodes_.fixed[split.node.value()] = true;
   }
 
   // Whether anything has moved.
   bool apply_splits() {
-    std::sort(splits_.begin(), splits_.end());
+    bucket_sort(splits_, pieces_.size(), [](const Split& split) { return split.piece; }, std::less<>());
     bool any_moved = false;
-    std::vector<Node_index> inner;
+    std::vector<Split> inner;
     for (auto first = splits_.begin(); first != splits_.end();) {
       const std::uint32_t piece = first->piece;
       inner.clear();
       bool exact = true;
       for (; first != splits_.end() && first->piece == piece; ++first) {
-        if (inner.empty() || inner.back() != first->node) inner.push_back(first->node);
         exact = exact && first->exact;
+        if (inner.empty() || inner.back().node != first->node) {
+          inner.push_back(*first);
+        } else {
+          pieces_[piece].clear = false;
+        }
       }
       split_piece(piece, inner, exact);
       any_moved = any_moved || !exact;
@@ -288,13 +311,13 @@ class Overlay_pieces {
     return any_moved;
   }
 
-  void split_piece(std::uint32_t number, std::vector<Node_index>& inner, bool exact) {
+  void split_piece(std::uint32_t number, std::vector<Split>& inner, bool exact) {
     const Piece piece = pieces_[number];
     if (inner.size() > 1) {
       const Along<Traits> along(point(piece.a), point(piece.b));
-      std::sort(inner.begin(), inner.end(), [&](Node_index n, Node_index m) {
-        const auto order = along(point(n), point(m));
-        return order == CGAL::SMALLER || (order == CGAL::EQUAL && n < m);
+      std::sort(inner.begin(), inner.end(), [&](const Split& s, const Split& t) {
+        const auto order = along(point(s.node), point(t.node));
+        return order == CGAL::SMALLER || (order == CGAL::EQUAL && s.node < t.node);
       });
     }
     pieces_[number].first_part = static_cast<std::uint32_t>(pieces_.size());
@@ -302,29 +325,70 @@ class Overlay_pieces {
     pieces_[number].split_in = static_cast<std::int8_t>(round_);
     const int tested_in = exact ? -1 : round_ + 1;
     Node_index last = piece.a;
-    for (Node_index n : inner) {
-      add(last, n, piece.fixed, tested_in);
-      last = n;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      const Node_index next = i + 1 < inner.size() ? inner[i + 1].node : piece.b;
+      if (pieces_[number].clear && !is_clear(inner[i], last, next)) pieces_[number].clear = false;
+      add(last, inner[i].node, piece.fixed, tested_in);
+      last = inner[i].node;
     }
     add(last, piece.b, piece.fixed, tested_in);
+  }
+
+  // Whether the arms of a piece, from its crossing with another to the nodes before and after, leave that one for good.
+  bool is_clear(const Split& crossing, Node_index before, Node_index after) const {
+    const Place_2 a = nodes_.place(pieces_[crossing.other].a), b = nodes_.place(pieces_[crossing.other].b);
+    const double reach = slack(rounding_);
+    return clear_side(a, b, nodes_.place(before), reach) * clear_side(a, b, nodes_.place(after), reach) < 0;
+  }
+
+  // The same for two pieces and their common end.
+  bool is_clear_at_end(std::uint32_t i, std::uint32_t j) const {
+    const Piece &p = pieces_[i], &q = pieces_[j];
+    if (!have_common_end(i, j)) return false;
+    const Node_index common = p.a == q.a || p.a == q.b ? p.a : p.b;
+    return are_spread(nodes_.place(common), nodes_.place(arm(i, common)), nodes_.place(arm(j, common)),
+                      slack(rounding_));
+  }
+
+  // The node next to an end of a piece.
+  Node_index arm(std::uint32_t i, Node_index end) const {
+    const Range parts = all_parts(i);
+    const Piece& part = pieces_[end == pieces_[i].a ? parts.first : parts.last - 1];
+    return part.a == end ? part.b : part.a;
   }
 
   // From near pairs of pieces to near pairs of their parts.
   void descend() {
     std::vector<Near_pair> next;
-    next.reserve(near_.size() + 8 * splits_.size());
-    for (const auto& [i, j] : near_) descend(i, j, next);
+    if (round_ > 0) bring_back(next);
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      const auto [i, j] = near_[k];
+      if (round_ == 0 && pieces_[i].clear && pieces_[j].clear && (crosses_[k] || is_clear_at_end(i, j))) {
+        aside_.push_back(near_[k]);
+      } else {
+        descend(i, j, next);
+      }
+    }
     std::uint32_t last = none;
     for (const Split& split : splits_) {
       if (split.piece == last) continue;
       last = split.piece;
-      descend_from_neighbours(last, next);
-      const Range parts = all_parts(last);
-      for (std::uint32_t x = parts.first; x < parts.last; ++x) {
-        for (std::uint32_t y = x + 1; y < parts.last && boxes_meet(box(x), box(y)); ++y) next.emplace_back(x, y);
-      }
+      if (!is_aside(last)) descend_around(last, next);
     }
     near_ = std::move(next);
+  }
+
+  // Whether all that meets the piece was set aside.
+  bool is_aside(std::uint32_t i) const { return pieces_[i].clear && pieces_[i].split_in == 0; }
+
+  void bring_back(std::vector<Near_pair>& result) {
+    for (const auto& [i, j] : aside_) descend(i, j, result);
+    if (aside_.empty()) return;
+    aside_.clear();
+    for (std::uint32_t i = 0; i < drawn_; ++i) {
+      if (is_aside(i)) descend_around(i, result);
+    }
+    for (std::uint32_t i = 0; i < drawn_; ++i) pieces_[i].clear = false;
   }
 
   void descend(std::uint32_t i, std::uint32_t j, std::vector<Near_pair>& result) const {
@@ -337,19 +401,25 @@ class Overlay_pieces {
     for (std::uint32_t x = xs.first; x < xs.last; ++x) add_near(x, parts_near(j, box(x)), result);
   }
 
-  // Neighbours that run on were no near pair before one of them was split.
-  void descend_from_neighbours(std::uint32_t i, std::vector<Near_pair>& result) const {
+  // The parts of a split piece near each other and near those of its neighbours: neighbours that run on were no near
+  // pair before one of them was split.
+  void descend_around(std::uint32_t i, std::vector<Near_pair>& result) const {
     for_each_neighbour(i, [&](std::uint32_t j) {
-      const bool with_this = pieces_[j].split_in == round_;
-      if ((pieces_[j].parts == 0 || with_this) && (i < j || !with_this)) descend(i, j, result);
+      const bool is_whole = pieces_[j].parts == 0, together = pieces_[j].split_in == pieces_[i].split_in;
+      const bool is_mine = is_aside(i) == is_aside(j) ? i < j : is_aside(j);
+      if (is_whole || (together ? is_mine : is_aside(i))) descend(i, j, result);
     });
+    const Range parts = all_parts(i);
+    for (std::uint32_t x = parts.first; x < parts.last; ++x) {
+      for (std::uint32_t y = x + 1; y < parts.last && boxes_meet(box(x), box(y)); ++y) descend(x, y, result);
+    }
   }
 
   void add_near(std::uint32_t x, Range ys, std::vector<Near_pair>& result) const {
     const Flat_box here = box(x);
     for (std::uint32_t y = ys.first; y < ys.last; ++y) {
       if (boxes_meet(here, box(y)) && !are_apart(nodes_, ends(x), ends(y), 2 * remaining_slack())) {
-        result.emplace_back(x, y);
+        descend(x, y, result);
       }
     }
   }
@@ -413,7 +483,8 @@ class Overlay_pieces {
   Layer_nodes<Traits>& nodes_;
   const Node_chains& chains_;
   Crossing_pool<Traits> pool_;
-  std::vector<Near_pair> near_;
+  std::vector<Near_pair> near_, aside_;
+  std::vector<char> crosses_;  // per near pair
   double rounding_;
   int round_ = 0;
   std::uint32_t drawn_ = 0;  // the number of pieces before any was split
