@@ -13,12 +13,12 @@
 #include <CCSweep/loops/overlay_edges.h>
 #include <CCSweep/loops/overlay_pieces.h>
 #include <CCSweep/loops/overlay_snap.h>
+#include <CCSweep/loops/overlay_table.h>
 #include <CCSweep/loops/segment_index.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -120,24 +120,24 @@ void draw_loops(Layer_drawing<Traits>& drawing, const std::vector<std::vector<ty
 // Finds the labels of the drawing of which nothing is left.
 template <class Traits>
 void find_lost(const Layer_drawing<Traits>& drawing, Imprint<Traits>& imprint) {
-  std::vector<int> before, after;
+  Number_set known;
+  known.insert(Loop_label::none);
+  for (std::size_t f = 0; f < imprint.graph.number_of_loop_faces(); ++f) {
+    const Loop_label l = imprint.graph.label(Loop_face_index(f));
+    known.insert(l.source);
+    known.insert(l.target);
+  }
   Loop_label last;
   for (const auto& segment : drawing.segments) {
     for (const Loop_label& l : {segment.left, segment.right}) {
       if (l.empty() || l == last) continue;
-      before.insert(before.end(), {l.source, l.target});
       last = l;
+      for (int label : {l.source, l.target}) {
+        if (known.insert(label)) imprint.lost.push_back(label);
+      }
     }
   }
-  after.push_back(Loop_label::none);
-  for (std::size_t f = 0; f < imprint.graph.number_of_loop_faces(); ++f) {
-    const Loop_label l = imprint.graph.label(Loop_face_index(f));
-    after.insert(after.end(), {l.source, l.target});
-  }
-  std::sort(before.begin(), before.end());
-  before.erase(std::unique(before.begin(), before.end()), before.end());
-  std::sort(after.begin(), after.end());
-  std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(imprint.lost));
+  std::sort(imprint.lost.begin(), imprint.lost.end());
 }
 
 template <class Traits, class SegmentIndex>

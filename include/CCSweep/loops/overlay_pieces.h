@@ -142,7 +142,7 @@ class Overlay_pieces {
     return p.a == q.a || p.a == q.b || p.b == q.a || p.b == q.b;
   }
 
-  // Of pieces with the same ends the first stands for all.
+  // Of pieces with the same ends the first stands for all, and nothing more need be known of the others.
   void find_twins() {
     std::vector<std::uint32_t> twins;
     for (const auto& [i, j] : near_) {
@@ -156,6 +156,7 @@ class Overlay_pieces {
       while (has_twin(piece.twin)) piece.twin = pieces_[piece.twin].twin;
       if (piece.fixed) pieces_[piece.twin].fixed = true;
     }
+    if (!twins.empty()) std::erase_if(near_, [this](const Near_pair& p) { return has_twin(p.first) || has_twin(p.second); });
   }
 
   void find_splits() {
@@ -164,7 +165,7 @@ class Overlay_pieces {
     crosses_.assign(near_.size(), false);
     for (std::size_t k = 0; k < near_.size(); ++k) {
       const auto [i, j] = near_[k];
-      if ((!is_new(i) && !is_new(j)) || has_twin(i) || has_twin(j) || !meet(i, j)) continue;
+      if ((!is_new(i) && !is_new(j)) || !meet(i, j)) continue;
       crosses_[k] = true;
       crossings.emplace_back(std::minmax(i, j));
     }
@@ -180,7 +181,7 @@ class Overlay_pieces {
   std::vector<char> are_crowded(const std::vector<Near_pair>& crossings) const {
     std::vector<std::uint32_t> number_near(pieces_.size(), 0);
     for (const auto& [i, j] : near_) {
-      if (has_twin(i) || has_twin(j) || have_common_end(i, j)) continue;
+      if (have_common_end(i, j)) continue;
       ++number_near[i];
       ++number_near[j];
     }
