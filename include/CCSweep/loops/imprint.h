@@ -17,6 +17,7 @@
 #include <CCSweep/loops/segment_index.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -122,19 +123,20 @@ template <class Traits>
 void find_lost(const Layer_drawing<Traits>& drawing, Imprint<Traits>& imprint) {
   Number_set known;
   known.insert(Loop_label::none);
+  Loop_label last;
   for (std::size_t f = 0; f < imprint.graph.number_of_loop_faces(); ++f) {
     const Loop_label l = imprint.graph.label(Loop_face_index(f));
-    known.insert(l.source);
-    known.insert(l.target);
+    if (l.source != last.source) known.insert(l.source);
+    if (l.target != last.target) known.insert(l.target);
+    last = l;
   }
-  Loop_label last;
+  std::array<Loop_label, 2> sides;
   for (const auto& segment : drawing.segments) {
-    for (const Loop_label& l : {segment.left, segment.right}) {
-      if (l.empty() || l == last) continue;
-      last = l;
-      for (int label : {l.source, l.target}) {
-        if (known.insert(label)) imprint.lost.push_back(label);
-      }
+    if (segment.left == sides[0] && segment.right == sides[1]) continue;
+    sides = {segment.left, segment.right};
+    for (const Loop_label& l : sides) {
+      if (known.insert(l.source)) imprint.lost.push_back(l.source);
+      if (known.insert(l.target)) imprint.lost.push_back(l.target);
     }
   }
   std::sort(imprint.lost.begin(), imprint.lost.end());
@@ -150,7 +152,7 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
   Layer_nodes<Traits>& nodes = snapped.nodes;
 
   const auto is_fixed = [&](std::size_t s) { return drawing.segments[s].fixed; };
-  Pieces pieces(nodes, snapped.chains, is_fixed, std::move(snapped.near), tolerance, off);
+  Pieces pieces(nodes, snapped.chains, is_fixed, snapped.twins, std::move(snapped.near), tolerance, off);
   pieces.split_all();
   result.chains = pieces.expanded();
 

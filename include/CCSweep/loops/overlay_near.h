@@ -3,7 +3,9 @@
 #ifndef CCSWEEP_LOOPS_OVERLAY_NEAR_H
 #define CCSWEEP_LOOPS_OVERLAY_NEAR_H
 
+#include <CCSweep/loops/overlay_chains.h>
 #include <CCSweep/loops/overlay_nodes.h>
+#include <CCSweep/loops/overlay_sort.h>
 #include <CCSweep/loops/segment_index.h>
 
 #include <algorithm>
@@ -12,12 +14,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace CCSweep::internal {
 
 using Near_pair = std::pair<std::uint32_t, std::uint32_t>;
+using Step = std::array<Node_index, 2>;  // from a node of a chain to the next
 
 // A box that costs no calls.
 struct Flat_box {
@@ -62,7 +67,7 @@ inline bool are_spread(Place_2 c, Place_2 u, Place_2 v, double reach) {
 
 // Whether two segments are certainly farther apart than `reach`.
 template <class Traits>
-bool are_apart(const Layer_nodes<Traits>& nodes, const std::array<Node_index, 2>& s, const std::array<Node_index, 2>& t,
+bool are_apart(const Layer_nodes<Traits>& nodes, const Step& s, const Step& t,
                double reach) {
   if constexpr (has_plain_coordinates<Traits>) {
     const Place_2 a = nodes.place(s[0]), b = nodes.place(s[1]), c = nodes.place(t[0]), d = nodes.place(t[1]);
@@ -73,8 +78,8 @@ bool are_apart(const Layer_nodes<Traits>& nodes, const std::array<Node_index, 2>
 
 // Whether a segment goes on from another by less than a right angle, and so meets it where it begins only.
 template <class Traits>
-bool runs_on(const Layer_nodes<Traits>& nodes, const std::array<Node_index, 2>& s,
-             const std::array<Node_index, 2>& t) {
+bool runs_on(const Layer_nodes<Traits>& nodes, const Step& s,
+             const Step& t) {
   if constexpr (has_plain_coordinates<Traits>) {
     if (s[1] != t[0]) return false;
     const Place_2 a = nodes.place(s[0]), b = nodes.place(s[1]), c = nodes.place(t[1]);
@@ -104,6 +109,9 @@ class Course_counter {
     end_ = to;
     return course_;
   }
+
+  // What follows does not run on.
+  void interrupt() { end_ = Node_index(); }
 
  private:
   // One bit if a coordinate does not fall, another if it does not rise.
@@ -209,6 +217,66 @@ class Near_pairs {
   std::vector<CGAL::Bbox_2> runs_;
   std::vector<Near_pair> pairs_;
 };
+
+// The steps of all chains.
+inline std::vector<Step> steps_of(const Node_chains& chains) {
+  std::vector<Step> result;
+  result.reserve(chains.number_of_nodes() - chains.size());
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const std::span<const Node_index> chain = chains[c];
+    for (std::size_t i = 1; i < chain.size(); ++i) result.push_back({chain[i - 1], chain[i]});
+  }
+  return result;
+}
+
+// For each step the first one with the same ends, itself if there is none before it. Linear, for a bounded number of
+// steps at a node.
+inline std::vector<std::uint32_t> first_twins(const std::vector<Step>& steps, std::size_t number_of_nodes) {
+  std::vector<std::uint32_t> order(steps.size()), result(steps.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto low = [&](std::uint32_t s) { return std::min(steps[s][0], steps[s][1]); };
+  const auto high = [&](std::uint32_t s) { return std::max(steps[s][0], steps[s][1]); };
+  bucket_sort(
+      order, number_of_nodes, [&](std::uint32_t s) { return low(s).value(); },
+      [&](std::uint32_t s, std::uint32_t t) { return std::pair(high(s), s) < std::pair(high(t), t); });
+  std::uint32_t first = 0;
+  for (const std::uint32_t s : order) {
+    if (s == order.front() || low(s) != low(first) || high(s) != high(first)) first = s;
+    result[s] = first;
+  }
+  return result;
+}
+
+// Pairs of steps that come within twice `reach` of each other, except neighbours that run on; without steps that have
+// an earlier twin, where `twins` are given.
+template <class SegmentIndex, class Traits>
+std::vector<Near_pair> near_steps(const std::vector<Step>& steps, const std::vector<std::uint32_t>& twins,
+                                  const Layer_nodes<Traits>& nodes, double reach) {
+  std::vector<Course_box> boxes;
+  boxes.reserve(steps.size());
+  std::vector<std::uint32_t> number;  // of the step of each box, if some have none
+  Course_counter course(2 * reach);
+  for (std::uint32_t s = 0; s < steps.size(); ++s) {
+    if (!twins.empty() && twins[s] != s) {
+      course.interrupt();
+      continue;
+    }
+    if (!twins.empty()) number.push_back(s);
+    const CGAL::Bbox_2 a = nodes.box(steps[s][0]), b = nodes.box(steps[s][1]);
+    boxes.push_back({flat_box(a + b, reach), course(steps[s][0], a, steps[s][1], b)});
+  }
+  const auto step = [&](std::uint32_t box) { return number.empty() ? box : number[box]; };
+  const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {
+    const Step &s = steps[step(i)], &t = steps[step(j)];
+    return !(step(j) == step(i) + 1 && runs_on(nodes, s, t)) && !are_apart(nodes, s, t, 2 * reach);
+  };
+  std::vector<Near_pair> result = Near_pairs<SegmentIndex, decltype(may_meet)>::of(boxes, may_meet);
+  for (auto& [i, j] : result) {
+    i = step(i);
+    j = step(j);
+  }
+  return result;
+}
 
 }  // namespace CCSweep::internal
 

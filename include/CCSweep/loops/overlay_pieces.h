@@ -37,11 +37,13 @@ class Overlay_pieces {
   // What rounding may do to the layer, all rounds together.
   static double slack(double rounding) { return 8 * maximal_rounds * rounding; }
 
-  // `chains` in the nodes, a piece for each step; `fixed` for each chain; `near` are all pairs of pieces that may come
-  // within the slack and twice the tolerance of each other, except that of neighbours which run on.
+  // `chains` in the nodes, a piece for each step; `fixed` for each chain; `twins` as `first_twins` tells, or empty;
+  // `near` are all pairs of pieces that may come within the slack and twice the tolerance of each other, except that
+  // of neighbours which run on.
   template <class Fixed>
-  Overlay_pieces(Layer_nodes<Traits>& nodes, const Node_chains& chains, const Fixed& fixed, std::vector<Near_pair> near,
-                 double tolerance, double rounding)
+  Overlay_pieces(Layer_nodes<Traits>& nodes, const Node_chains& chains, const Fixed& fixed,
+                 const std::vector<std::uint32_t>& twins, std::vector<Near_pair> near, double tolerance,
+                 double rounding)
       : nodes_(nodes), chains_(chains), pool_(nodes, tolerance, rounding), near_(std::move(near)), rounding_(rounding) {
     pieces_.reserve(2 * (chains.number_of_nodes() - chains.size()));
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -49,6 +51,9 @@ class Overlay_pieces {
       for (std::size_t i = 1; i < chain.size(); ++i) add(chain[i - 1], chain[i], fixed(c), 0);
     }
     drawn_ = static_cast<std::uint32_t>(pieces_.size());
+    for (std::uint32_t i = 0; i < twins.size(); ++i) {
+      if (twins[i] != i) make_twin(i, twins[i]);
+    }
     is_known_.resize(nodes.points.size(), false);
   }
 
@@ -151,12 +156,18 @@ class Overlay_pieces {
       if (!has_twin(second)) twins.push_back(second);
       pieces_[second].twin = std::min(pieces_[second].twin, std::min(i, j));
     }
+    if (twins.empty()) return;
     for (std::uint32_t i : twins) {
-      Piece& piece = pieces_[i];
-      while (has_twin(piece.twin)) piece.twin = pieces_[piece.twin].twin;
-      if (piece.fixed) pieces_[piece.twin].fixed = true;
+      std::uint32_t first = pieces_[i].twin;
+      while (has_twin(first)) first = pieces_[first].twin;
+      make_twin(i, first);
     }
-    if (!twins.empty()) std::erase_if(near_, [this](const Near_pair& p) { return has_twin(p.first) || has_twin(p.second); });
+    std::erase_if(near_, [this](const Near_pair& p) { return has_twin(p.first) || has_twin(p.second); });
+  }
+
+  void make_twin(std::uint32_t i, std::uint32_t first) {
+    pieces_[i].twin = first;
+    if (pieces_[i].fixed) pieces_[first].fixed = true;
   }
 
   void find_splits() {
@@ -238,7 +249,7 @@ class Overlay_pieces {
   // The same where they have a node in common and run to u and v: of those in one direction the shorter is part of
   // the longer.
   bool meet_in(Node_index common, std::uint32_t i, Node_index u, std::uint32_t j, Node_index v) {
-    if (u == v) return false;
+    if (u == v || are_spread(common, u, v)) return false;
     const bool ascending = is_less_xy<Traits>(point(common), point(u));
     if (ascending != is_less_xy<Traits>(point(common), point(v))) return false;
     if (turn<Traits>(point(common), point(u), point(v)) != CGAL::COLLINEAR) return false;
@@ -347,8 +358,12 @@ class Overlay_pieces {
     const Piece &p = pieces_[i], &q = pieces_[j];
     if (!have_common_end(i, j)) return false;
     const Node_index common = p.a == q.a || p.a == q.b ? p.a : p.b;
-    return are_spread(nodes_.place(common), nodes_.place(arm(i, common)), nodes_.place(arm(j, common)),
-                      slack(rounding_));
+    return are_spread(common, arm(i, common), arm(j, common));
+  }
+
+  bool are_spread(Node_index common, Node_index u, Node_index v) const {
+    return has_plain_coordinates<Traits> &&
+           internal::are_spread(nodes_.place(common), nodes_.place(u), nodes_.place(v), slack(rounding_));
   }
 
   // The node next to an end of a piece.
@@ -428,7 +443,7 @@ class Overlay_pieces {
   Flat_box box(std::uint32_t i) const {
     return flat_box(nodes_.box(pieces_[i].a, pieces_[i].b), remaining_slack());
   }
-  std::array<Node_index, 2> ends(std::uint32_t i) const { return {pieces_[i].a, pieces_[i].b}; }
+  Step ends(std::uint32_t i) const { return {pieces_[i].a, pieces_[i].b}; }
   // What rounding may still do after this round.
   double remaining_slack() const { return slack(rounding_) * (maximal_rounds - round_) / maximal_rounds; }
 
