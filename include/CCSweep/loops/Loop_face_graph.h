@@ -90,8 +90,8 @@ class Loop_face_graph {
   /// and the loops must belong to no LoopFace yet. Linear in the number of coedges.
   Loop_face_index add_loop_face(Loop_label label, Halfedge_index outer, const std::vector<Halfedge_index>& inner = {}) {
     const Loop_face_index face(loop_faces_.size());
-    loop_faces_.push_back({label, static_cast<std::uint32_t>(loops_.size()),
-                           static_cast<std::uint32_t>(1 + inner.size())});
+    loop_faces_.push_back(
+        {label, static_cast<std::uint32_t>(loops_.size()), static_cast<std::uint32_t>(1 + inner.size())});
     add_loop(outer, face);
     for (Halfedge_index coedge : inner) add_loop(coedge, face);
     return face;

@@ -205,9 +205,7 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
 /// O((n + k) log n) for n segments and k crossings and snaps, where boxes of distant segments seldom overlap.
 template <SweepTraits Traits, SegmentIndex_2 SegmentIndex = Rtree_segment_index_2<Traits>>
 Result<Imprint<Traits>> imprint_layer(const Layer_drawing<Traits>& drawing, double tolerance) {
-  return internal::guarded([&] {
-    return internal::imprinted<Traits, SegmentIndex>(drawing, tolerance);
-  });
+  return internal::guarded([&] { return internal::imprinted<Traits, SegmentIndex>(drawing, tolerance); });
 }
 
 /// The imprint operator of Fig. 11 for two faces: cuts S and T into what they share and what is in one of them only,

@@ -94,8 +94,10 @@ class Graph_builder {
       Loop_coedge_index outer;
       inner.clear();
       map_.for_each_cycle(face, [&](std::uint32_t h) {
-        if (outer.is_valid()) inner.push_back(coedges_[h]);
-        else outer = coedges_[h];
+        if (outer.is_valid())
+          inner.push_back(coedges_[h]);
+        else
+          outer = coedges_[h];
       });
       graph_.add_loop_face(labels[face], outer, inner);
     }

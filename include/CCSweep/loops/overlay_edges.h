@@ -153,8 +153,7 @@ class Edge_sum {
     for (std::size_t i = first; i < last; ++i) said.push_back(edges[i].sides[set]);
     if (const std::optional<Sides> result = sum(said)) return *result;
     fail_imprint(nodes_, edges[first].a,
-                 set == 0 ? "sources that overlap along an edge" : "targets that overlap along an edge",
-                 patches(said));
+                 set == 0 ? "sources that overlap along an edge" : "targets that overlap along an edge", patches(said));
   }
 
   const Layer_nodes<Traits>& nodes_;

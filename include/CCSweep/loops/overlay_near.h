@@ -67,8 +67,7 @@ inline bool are_spread(Place_2 c, Place_2 u, Place_2 v, double reach) {
 
 // Whether two segments are certainly farther apart than `reach`.
 template <class Traits>
-bool are_apart(const Layer_nodes<Traits>& nodes, const Step& s, const Step& t,
-               double reach) {
+bool are_apart(const Layer_nodes<Traits>& nodes, const Step& s, const Step& t, double reach) {
   if constexpr (has_plain_coordinates<Traits>) {
     const Place_2 a = nodes.place(s[0]), b = nodes.place(s[1]), c = nodes.place(t[0]), d = nodes.place(t[1]);
     return is_beside(a, b, c, d, reach) || is_beside(c, d, a, b, reach);
@@ -78,8 +77,7 @@ bool are_apart(const Layer_nodes<Traits>& nodes, const Step& s, const Step& t,
 
 // Whether a segment goes on from another by less than a right angle, and so meets it where it begins only.
 template <class Traits>
-bool runs_on(const Layer_nodes<Traits>& nodes, const Step& s,
-             const Step& t) {
+bool runs_on(const Layer_nodes<Traits>& nodes, const Step& s, const Step& t) {
   if constexpr (has_plain_coordinates<Traits>) {
     if (s[1] != t[0]) return false;
     const Place_2 a = nodes.place(s[0]), b = nodes.place(s[1]), c = nodes.place(t[1]);

@@ -227,8 +227,7 @@ bool has_neighbours(const Layer_drawing<Traits>& drawing) {
 
 // Whether there is nothing to snap; then the chains and what is near are found.
 template <class SegmentIndex, class Traits>
-bool is_snapped(const Layer_drawing<Traits>& drawing, double tolerance, double slack,
-                Snapped_drawing<Traits>& result) {
+bool is_snapped(const Layer_drawing<Traits>& drawing, double tolerance, double slack, Snapped_drawing<Traits>& result) {
   double reach = tolerance;
   if (tolerance > 0) {
     for (const auto& segment : drawing.segments) reach = std::fmax(reach, segment.chord_error);

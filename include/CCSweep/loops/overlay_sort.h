@@ -15,9 +15,8 @@ namespace CCSweep::internal {
 template <class Item, class Key, class Less>
 void bucket_sort(std::vector<Item>& items, std::size_t keys, const Key& key, const Less& less) {
   if (items.size() < keys / 16) {  // counting would take longer than comparing
-    std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
-      return key(a) != key(b) ? key(a) < key(b) : less(a, b);
-    });
+    std::sort(items.begin(), items.end(),
+              [&](const Item& a, const Item& b) { return key(a) != key(b) ? key(a) < key(b) : less(a, b); });
     return;
   }
   std::vector<std::uint32_t> place(keys + 1, 0);

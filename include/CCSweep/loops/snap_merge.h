@@ -49,7 +49,9 @@ template <class Traits>
 std::vector<Node_index> by_rank(const Layer_nodes<Traits>& nodes) {
   std::vector<Node_index> result;
   result.reserve(nodes.representative.size());
-  const auto rank = [&](std::size_t i) { return nodes.fixed[i] ? (nodes.corner[i] ? 0 : 1) : (nodes.corner[i] ? 2 : 3); };
+  const auto rank = [&](std::size_t i) {
+    return nodes.fixed[i] ? (nodes.corner[i] ? 0 : 1) : (nodes.corner[i] ? 2 : 3);
+  };
   for (int wanted = 0; wanted < 4 && result.size() < nodes.representative.size(); ++wanted) {
     for (std::size_t i = 0; i < nodes.representative.size(); ++i) {
       if (rank(i) == wanted) result.emplace_back(i);
