@@ -44,14 +44,6 @@ inline Flat_box flat_box(const CGAL::Bbox_2& b, double inflated_by = 0) {
   return {b.xmin() - inflated_by, b.ymin() - inflated_by, b.xmax() + inflated_by, b.ymax() + inflated_by};
 }
 
-// Positive if p is left of the line ab and farther from it than `reach`, negative if so on the right, else 0. What
-// rounding does to the coordinates must be within the reach.
-inline double clear_side(Place_2 a, Place_2 b, Place_2 p, double reach) {
-  const double x = b[0] - a[0], y = b[1] - a[1];
-  const double side = x * (p[1] - a[1]) - y * (p[0] - a[0]);
-  return side * side > reach * reach * (x * x + y * y) ? side : 0;
-}
-
 // Whether all of a segment cd is on one side of the line ab, and farther from it than `reach`.
 inline bool is_beside(Place_2 a, Place_2 b, Place_2 c, Place_2 d, double reach) {
   return clear_side(a, b, c, reach) * clear_side(a, b, d, reach) > 0;
@@ -206,7 +198,7 @@ class Near_pairs {
   }
 
   void add(std::uint32_t i, std::uint32_t j) {
-    if (boxes_meet(boxes_[i], boxes_[j]) && !are_one_course(i, j) && may_meet_(i, j)) pairs_.emplace_back(i, j);
+    if (!are_one_course(i, j) && boxes_meet(boxes_[i], boxes_[j]) && may_meet_(i, j)) pairs_.emplace_back(i, j);
   }
 
   const std::vector<Course_box>& boxes_;

@@ -75,6 +75,7 @@ class Overlay_pieces {
     bool exact;           // the node lies exactly on the piece
     auto operator<=>(const Split&) const = default;
   };
+
   bool is_new(std::uint32_t i) const { return forest_[i].tested_in == round_; }
   const typename Traits::Point_2& point(Node_index n) const { return nodes_.point(n); }
 
@@ -333,9 +334,8 @@ class Overlay_pieces {
       result.emplace_back(i, j);
       return;
     }
-    const Piece_range xs = forest_.parts_near(i, box(j), remaining_slack());
-    for (std::uint32_t x = xs.first; x < xs.last; ++x)
-      add_near(x, forest_.parts_near(j, box(x), remaining_slack()), result);
+    const Piece_range xs = parts_near(i, j);
+    for (std::uint32_t x = xs.first; x < xs.last; ++x) add_near(x, parts_near(j, x), result);
   }
 
   // The parts of a split piece near each other and near those of its neighbours: neighbours that run on were no near
@@ -361,6 +361,10 @@ class Overlay_pieces {
     }
   }
 
+  // The parts of a piece that may be near another one.
+  Piece_range parts_near(std::uint32_t i, std::uint32_t j) const {
+    return forest_.parts_near(i, box(j), remaining_slack());
+  }
   Flat_box box(std::uint32_t i) const { return forest_.box(i, remaining_slack()); }
   // What rounding may still do after this round.
   double remaining_slack() const { return slack(rounding_) * (maximal_rounds - round_) / maximal_rounds; }

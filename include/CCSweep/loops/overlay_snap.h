@@ -50,7 +50,7 @@ template <class Traits>
 Layer_nodes<Traits> drawn_nodes(const Layer_drawing<Traits>& drawing) {
   const std::size_t size = drawing.nodes.size();
   Layer_nodes<Traits> nodes;
-  nodes.points.reserve(size);
+  nodes.points.reserve(2 * size);  // those at crossings will follow
   nodes.representative.reserve(size);
   nodes.fixed.assign(size, false);
   nodes.corner.assign(size, false);

@@ -32,8 +32,8 @@ concept SegmentIndex_2 = std::constructible_from < Index,
 /// An index that finds all pairs of its own segments whose boxes meet at once, the lower number first, each pair once,
 /// in any order; it may report more. Where an index can, it is asked for this instead of once for every segment.
 template <class Index>
-concept SelfJoiningSegmentIndex_2 =
-    SegmentIndex_2<Index> &&requires(const Index& index, std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) {
+concept SelfJoiningSegmentIndex_2 = SegmentIndex_2<Index> &&
+    requires(const Index& index, std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) {
   index.pairs(std::back_inserter(found));
 };
 
