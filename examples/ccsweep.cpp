@@ -53,6 +53,7 @@ int exit_status(Status_code code) {
     case Status_code::cut_failed:
     case Status_code::sub_volume_not_closed:
     case Status_code::verification_failed:
+    case Status_code::hex_mesh_failed:
       return 5;
   }
   return 5;
