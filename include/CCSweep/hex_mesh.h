@@ -93,6 +93,11 @@ class Hex_pipeline {
   Stage_runner<Visitor> run_;
 };
 
+template <class T>
+inline constexpr bool is_decomposition = false;
+template <class Point>
+inline constexpr bool is_decomposition<Decomposition<Point>> = true;
+
 }  // namespace internal
 
 /// Meshes a multi-sweep part with hexahedra, conformal across all the sub-volumes that `decompose()` would make of it.
@@ -108,7 +113,8 @@ class Hex_pipeline {
 /// stage, patches and place. `hex_mesh_failed` if a hexahedron would fold, `invalid_parameter` for a size that is no
 /// positive number or absurdly small.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each column's section.
-template <SweepMesh FaceGraph, class NamedParameters>
+template <class FaceGraph, class NamedParameters>
+  requires(!internal::is_decomposition<FaceGraph> && SweepMesh<FaceGraph>)
 Result<Hex_mesh> hex_mesh(const FaceGraph& mesh, const NamedParameters& np) {
   using Call = internal::Call<FaceGraph, NamedParameters>;
   using Traits = typename Call::Traits;

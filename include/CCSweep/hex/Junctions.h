@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,7 @@ class Junctions {
 
   /// The junction at a place, which must have been made.
   Node at(std::size_t layer, const Segment_place& p) const {
+    if (const auto found = near(layer, p, stack_.tolerance)) return *found;
     const auto& s = stack_.layers[layer].segments[p.segment];
     Node best = p.fraction < 0.5 ? s.a : s.b;
     double distance = is_junction_[best] ? std::min(p.fraction, 1 - p.fraction) : 2;
@@ -92,20 +94,55 @@ class Junctions {
     for (const Segment_place& p : places(layer, n)) tasks_.push_back({layer, p});
   }
 
+  // Columns up and down a wall do not come back to the very same place; what is closer than the tolerance is one.
   void add(std::size_t layer, const Segment_place& p) {
+    if (near(layer, p, stack_.tolerance)) return;
     const auto& s = stack_.layers[layer].segments[p.segment];
     const double length = norm(stack_.points[s.b] - stack_.points[s.a]);
-    const double near = std::min(stack_.tolerance, length / 3);
-    if (p.fraction * length <= near) return mark(layer, s.a);
-    if ((1 - p.fraction) * length <= near) return mark(layer, s.b);
+    const double close = std::min(stack_.tolerance, length / 3);
+    if (p.fraction * length <= close) return mark(layer, s.a);
+    if ((1 - p.fraction) * length <= close) return mark(layer, s.b);
     auto& inside = inserted_[layer][p.segment];
     const auto next = std::lower_bound(inside.begin(), inside.end(), std::pair(p.fraction, Node(0)));
-    if (next != inside.end() && (next->first - p.fraction) * length <= near) return;
-    if (next != inside.begin() && (p.fraction - std::prev(next)->first) * length <= near) return;
     inside.insert(next, {p.fraction, static_cast<Node>(points.size())});
     place_of_inserted_.push_back(p);
     points.push_back(stack_.points[s.a] + p.fraction * (stack_.points[s.b] - stack_.points[s.a]));
     tasks_.push_back({layer, p});
+  }
+
+  // The nearest junction within a distance, along the segments.
+  std::optional<Node> near(std::size_t layer, const Segment_place& p, double reach) const {
+    std::optional<Node> best;
+    for (bool forward : {true, false}) {
+      Segment_place at = p;
+      bool ahead = forward;
+      for (double gone = 0; gone <= reach;) {
+        const auto& s = stack_.layers[layer].segments[at.segment];
+        const double length = norm(stack_.points[s.b] - stack_.points[s.a]);
+        for (const auto& [f, n] : inserted_[layer][at.segment]) {
+          const double d = gone + (ahead ? f - at.fraction : at.fraction - f) * length;
+          if (d >= gone && d <= reach) {
+            reach = d;
+            best = n;
+          }
+        }
+        gone += (ahead ? 1 - at.fraction : at.fraction) * length;
+        const Node n = ahead ? s.b : s.a;
+        if (gone > reach) break;
+        if (is_junction_[n]) {
+          reach = gone;
+          best = n;
+          break;
+        }
+        const auto& incident = incident_[n];
+        if (incident.size() != 2 || incident[0] == incident[1]) break;
+        const std::uint32_t onward = incident[0] == at.segment ? incident[1] : incident[0];
+        ahead = stack_.layers[layer].segments[onward].a == n;
+        at = {onward, ahead ? 0.0 : 1.0};
+        if (onward == p.segment) break;
+      }
+    }
+    return best;
   }
 
   // Every junction has one above and one below, as far as its column reaches.

@@ -5,6 +5,7 @@
 
 #include <CCSweep/Status.h>
 #include <CCSweep/hex/Arc_stack.h>
+#include <CCSweep/hex/Carried_columns.h>
 #include <CCSweep/hex/Junctions.h>
 #include <CCSweep/hex/Layer_stack.h>
 #include <CCSweep/hex/Slab_columns.h>
@@ -27,7 +28,9 @@ class Arc_linker {
   using Half_arc = Arc_stack::Half_arc;
 
  public:
-  Arc_linker(const Layer_stack& stack, const CapDrop& drop_to_cap) : stack_(stack), drop_to_cap_(drop_to_cap) {}
+  Arc_linker(const Layer_stack& stack, const CapDrop& drop_to_cap)
+      : stack_(stack),
+        columns_(stack, result_, [&](Patch_index cap, const Vec3& p, const Vec3& up) { return drop_to_cap(cap, p, up); }) {}
 
   Arc_stack run() {
     const std::size_t n = stack_.layers.size();
@@ -38,6 +41,7 @@ class Arc_linker {
     for (std::size_t k = 0; k < n; ++k) result_.arcs.push_back(builders.emplace_back(stack_, junctions, k).run());
     result_.points = junctions.points;
     for (std::size_t k = n; k-- > 1;) link_layer(k, junctions, builders[k - 1]);
+    columns_.correct();
     return std::move(result_);
   }
 
@@ -49,7 +53,7 @@ class Arc_linker {
       Arc& arc = result_.arcs[k][a];
       const bool on_left = stack_.is_below(arc.left, k), on_right = stack_.is_below(arc.right, k);
       if (on_left && on_right && arc.left.target == arc.right.target) {
-        carry_down(k, arc, junctions, descent);
+        carry_down(k, a, junctions, descent);
       } else {
         if (on_left) follow_column(k, arc, 0, lower);
         if (on_right) follow_column(k, arc, 1, lower);
@@ -71,14 +75,11 @@ class Arc_linker {
     fail(Status_code::inconsistent_levels, Stage::hex_mesh, "a curve of a layer has nothing below it", {}, arc.line[0]);
   }
 
-  void carry_down(std::size_t k, Arc& arc, const Junctions& junctions, Slab_descent& descent) {
+  void carry_down(std::size_t k, std::size_t a, const Junctions& junctions, Slab_descent& descent) {
+    Arc& arc = result_.arcs[k][a];
     const Patch_index target = arc.left.target;
-    const bool arrives = stack_.layer_of_cap[target.value()] == k - 1;
     const std::size_t barrel = descent.barrel_of(arc.line[arc.line.size() / 2]);
-    const auto down = [&](const Vec3& p) {
-      const Vec3 q = descent(barrel, p);
-      return arrives ? drop_to_cap_(target, q, stack_.layers[k - 1].up) : q;
-    };
+    const auto down = [&](const Vec3& p) { return descent(barrel, p); };
     Arc lower;
     lower.left = lower.right = {Patch_index(), target};
     lower.from = junction_below(k, arc.from, target, junctions, down);
@@ -88,6 +89,7 @@ class Arc_linker {
     lower.line.push_back(result_.points[lower.to]);
     const auto h = static_cast<Half_arc>(2 * result_.arcs[k - 1].size());
     arc.below = {h, Arc_stack::opposite(h)};
+    columns_.add_arc(k - 1, a, result_.arcs[k - 1].size(), target);
     result_.arcs[k - 1].push_back(std::move(lower));
   }
 
@@ -104,14 +106,17 @@ class Arc_linker {
           if (goes_up_from(s.left) || goes_up_from(s.right)) return junctions.at(k - 1, column.place);
         }
     const auto [found, is_new] = carried_.try_emplace(n, static_cast<Node>(result_.points.size()));
-    if (is_new) result_.points.push_back(down(result_.points[n]));
+    if (is_new) {
+      result_.points.push_back(down(result_.points[n]));
+      columns_.add_junction(k - 1, n, found->second, target);
+    }
     return found->second;
   }
 
   const Layer_stack& stack_;
-  const CapDrop& drop_to_cap_;
   std::vector<Slab_columns> slabs_;
   Arc_stack result_;
+  Carried_columns columns_;
   std::map<Node, Node> carried_;  // junctions inside the material of one slab: the one below
 };
 
