@@ -41,6 +41,8 @@ class Arc_nodes {
     return nodes;
   }
 
+  bool is_used(std::size_t layer, Half_arc h) const { return first_of_arc_[layer][Arc_stack::arc_of(h)] != none; }
+
   std::vector<Vec3> points;
 
  private:

@@ -15,9 +15,8 @@
 namespace CCSweep::internal {
 
 /// The junctions and arcs that were carried down through the material, and the correction they get once they have
-/// arrived: the walls around do not know how the caps bulge between them. On a straight sweep the height of a column
-/// over its target therefore grows evenly with the sweep parameter; on a bent one the step onto the target is shared
-/// out.
+/// arrived: the walls around do not know how the caps bulge between them. The step onto the target is shared out over
+/// the layers of the column.
 class Carried_columns {
   using Node = Arc_stack::Node;
 
@@ -48,25 +47,19 @@ class Carried_columns {
     return (value(layer) - value(bottom)) / (value(top) - value(bottom));
   }
 
-  // The places of one column, from the bottom layer up; `bend` tells by how much the heights are to stray from even.
-  template <class Bend>
-  void correct_column(const std::vector<Vec3*>& column, Patch_index target, const Bend& bend) const {
+  // The places of one column, from the bottom layer up.
+  void correct_column(const std::vector<Vec3*>& column, Patch_index target) const {
     const std::size_t bottom = stack_.layer_of_cap[target.value()], top = bottom + column.size() - 1;
-    const Vec3& up = stack_.layers[bottom].up;
-    const Vec3 on_target = drop_(target, *column[0], up), step = on_target - *column[0];
-    const double low = dot(up, on_target), high = dot(up, *column.back());
-    for (std::size_t i = 0; i + 1 < column.size(); ++i) {
-      const double t = share(bottom, bottom + i, top);
-      const double height = low + t * (high - low) + (i == 0 ? 0 : bend(i));
-      *column[i] = *column[i] + (stack_.is_straight ? (height - dot(up, *column[i])) * up : (1 - t) * step);
-    }
+    const Vec3 step = drop_(target, *column[0], stack_.layers[bottom].up) - *column[0];
+    for (std::size_t i = 0; i + 1 < column.size(); ++i)
+      *column[i] = *column[i] + (1 - share(bottom, bottom + i, top)) * step;
   }
 
   void correct_junction(Node node, Patch_index target) {
     std::vector<Vec3*> column{&arcs_.points[node]};
     for (auto above = upper_node_.find(node); above != upper_node_.end(); above = upper_node_.find(above->second))
       column.push_back(&arcs_.points[above->second]);
-    correct_column(column, target, [](std::size_t) { return 0.0; });
+    correct_column(column, target);
   }
 
   void correct_arc(std::size_t arc, Patch_index target) {
@@ -83,20 +76,8 @@ class Carried_columns {
     for (std::size_t p = 1; p + 1 < n; ++p) {
       std::vector<Vec3*> column;
       for (Arc_stack::Arc* a : arcs) column.push_back(&a->line[p]);
-      const double s = double(p) / double(n - 1);
-      correct_column(column, target, [&](std::size_t i) {
-        return (1 - s) * unevenness(arcs, i, false) + s * unevenness(arcs, i, true);
-      });
+      correct_column(column, target);
     }
-  }
-
-  // How far an end of an arc, on a wall perhaps, strays from an even height.
-  double unevenness(const std::vector<Arc_stack::Arc*>& arcs, std::size_t i, bool at_end) const {
-    const auto end = [&](const Arc_stack::Arc* a) { return at_end ? a->line.back() : a->line.front(); };
-    const std::size_t bottom = stack_.layer_of_cap[arcs[0]->left.target.value()];
-    const Vec3& up = stack_.layers[bottom].up;
-    const double low = dot(up, end(arcs[0])), high = dot(up, end(arcs.back()));
-    return dot(up, end(arcs[i])) - low - share(bottom, bottom + i, bottom + arcs.size() - 1) * (high - low);
   }
 
   const Layer_stack& stack_;

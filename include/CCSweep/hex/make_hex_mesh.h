@@ -11,6 +11,7 @@
 #include <CCSweep/hex/Cell_sweeper.h>
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/Layer_stack.h>
+#include <CCSweep/hex/even_heights.h>
 #include <CCSweep/hex/mesh_quads.h>
 #include <CCSweep/hex/trace_cells.h>
 #include <CCSweep/internal/guarded.h>
@@ -84,6 +85,7 @@ class Hex_mesher {
         for (const Cell::Loop& loop : cells_[c].loops[cells_[c].top - k])
           for (std::uint32_t n : nodes.around(k, loop)) outlines[c].back().push_back(n);
       }
+    if (stack_.is_straight) Even_heights(stack_, arcs_, nodes).run();
     mesh_.points = nodes.points;
     for (std::size_t c = 0; c < cells_.size(); ++c)
       if (!mesh_cell(c, intervals, outlines[c])) return c;
