@@ -30,7 +30,8 @@ class Arc_linker {
  public:
   Arc_linker(const Layer_stack& stack, const CapDrop& drop_to_cap)
       : stack_(stack),
-        columns_(stack, result_, [&](Patch_index cap, const Vec3& p, const Vec3& up) { return drop_to_cap(cap, p, up); }) {}
+        columns_(stack, result_,
+                 [&](Patch_index cap, const Vec3& p, const Vec3& up) { return drop_to_cap(cap, p, up); }) {}
 
   Arc_stack run() {
     const std::size_t n = stack_.layers.size();

@@ -50,7 +50,8 @@ inline Quad_mesh map_quads(const Quad_region& region) {
       mesh.points.push_back(p);
     }
   for (std::size_t j = 0; j < height; ++j)
-    for (std::size_t i = 0; i < width; ++i) mesh.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    for (std::size_t i = 0; i < width; ++i)
+      mesh.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
   return mesh;
 }
 

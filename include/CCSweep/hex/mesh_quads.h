@@ -19,7 +19,8 @@ namespace CCSweep {
 inline double worst_quality(const Quad_mesh& mesh) {
   double worst = 1;
   for (const auto& [a, b, c, d] : mesh.quads)
-    worst = std::min(worst, internal::quad_scaled_jacobian(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]));
+    worst = std::min(worst, internal::quad_scaled_jacobian(mesh.points[a], mesh.points[b], mesh.points[c],
+                                                           mesh.points[d]));
   return worst;
 }
 

@@ -36,7 +36,8 @@ inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Coarse_trian
     const std::uint32_t foot = coarse.triangles[there->second.first][(there->second.second + 2) % 3];
     const auto& p = coarse.points;
     const double quality = quad_scaled_jacobian(p[edge.first], p[foot], p[edge.second], p[tip]);
-    if (quality > least) pairs.push_back({quality, here.first, there->second.first, {edge.first, foot, edge.second, tip}});
+    if (quality > least)
+      pairs.push_back({quality, here.first, there->second.first, {edge.first, foot, edge.second, tip}});
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.quality > b.quality; });
   std::vector<bool> used(coarse.triangles.size(), false);
@@ -70,7 +71,8 @@ class Midpoint_subdivision {
       const std::uint32_t centre = add(cell);
       const std::size_t n = cell.size();
       for (std::size_t i = 0; i < n; ++i)
-        mesh_.quads.push_back({cell[i], middle(cell[i], cell[(i + 1) % n]), centre, middle(cell[(i + n - 1) % n], cell[i])});
+        mesh_.quads.push_back(
+            {cell[i], middle(cell[i], cell[(i + 1) % n]), centre, middle(cell[(i + n - 1) % n], cell[i])});
     }
     return std::move(mesh_);
   }

@@ -30,6 +30,19 @@ inline double quad_scaled_jacobian(const Point2& a, const Point2& b, const Point
   return worst;
 }
 
+/// The least over a quad's corners of the sine times how alike the two sides are: 1 for a square. What sees angles only
+/// would shrink sides to nothing.
+inline double quad_shape(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const Point2* const p[4] = {&a, &b, &c, &d};
+  double worst = 1;
+  for (int i = 0; i < 4; ++i) {
+    const Point2 &before = *p[(i + 3) % 4], &here = *p[i], &after = *p[(i + 1) % 4];
+    const double s = length_between(here, after), t = length_between(here, before);
+    worst = std::min(worst, s * s + t * t > 0 ? 2 * turn(here, after, before) / (s * s + t * t) : -1.0);
+  }
+  return worst;
+}
+
 }  // namespace CCSweep::internal
 
 #endif

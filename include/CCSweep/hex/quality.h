@@ -77,9 +77,10 @@ inline double bezier_bound(const Hex_corners& p, const std::array<double, 3>& lo
 inline bool is_positive_in(const Hex_corners& p, const std::array<double, 3>& low, double width, int halvings) {
   if (bezier_bound(p, low, width) > 0) return true;
   if (halvings == 0) return false;
+  const double half = width / 2;
   for (int i = 0; i < 8; ++i)
-    if (!is_positive_in(p, {low[0] + (i & 1) * width / 2, low[1] + (i >> 1 & 1) * width / 2, low[2] + (i >> 2) * width / 2},
-                        width / 2, halvings - 1))
+    if (!is_positive_in(p, {low[0] + (i & 1) * half, low[1] + (i >> 1 & 1) * half, low[2] + (i >> 2) * half}, half,
+                        halvings - 1))
       return false;
   return true;
 }

@@ -38,7 +38,7 @@ class Quad_smoother {
     double worst = 1;
     for (std::uint32_t q : quads_of_[n]) {
       const auto& [a, b, c, d] = mesh_.quads[q];
-      worst = std::min(worst, quad_scaled_jacobian(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]));
+      worst = std::min(worst, quad_shape(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]));
     }
     return worst;
   }
