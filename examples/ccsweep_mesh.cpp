@@ -28,6 +28,20 @@ std::vector<std::size_t> histogram(const std::vector<double>& qualities) {
   return counts;
 }
 
+// A sub-volume leads away from its target.
+std::array<double, 3> direction_of(const CCSweep::Sub_volume<Point>& volume) {
+  const auto role = CCSweep::internal::int_map(volume.mesh, volume.role_map);
+  CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+  for (auto f : volume.mesh.faces()) {
+    if (role[f] != static_cast<int>(Role::target)) continue;
+    const auto h = volume.mesh.halfedge(f);
+    const auto& a = volume.mesh.point(volume.mesh.source(h));
+    sum = sum - CGAL::cross_product(volume.mesh.point(volume.mesh.target(h)) - a,
+                                    volume.mesh.point(volume.mesh.target(volume.mesh.next(h))) - a);
+  }
+  return {sum.x(), sum.y(), sum.z()};
+}
+
 Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
   const auto part = CCSweep::read_part<Point>(options.part, {true, options.angle});
   if (!part) return part.status();
@@ -37,6 +51,7 @@ Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
     if (const auto volume = CCSweep::read_volume<Point>(options.part); volume && volume.value().target != -1) {
       forced.targets = {volume.value().target};
       forced.sources = volume.value().sources;
+      if (options.direction == std::array<double, 3>{}) forced.direction = direction_of(volume.value());
     }
   return CCSweep::hex_mesh(part.value().mesh,
                            parameters_of(forced, part.value().patch_ids(), progress).size(options.size));

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
-#include <optional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -38,6 +38,7 @@ class Coarse_triangulation {
       for (std::uint32_t i = 0; i < n; i += 2) {
         edges_.push_back({first + i, first + (i + 2) % n});
         ends_.push_back({loop.nodes[i], loop.nodes[(i + 2) % n]});
+        middle_[{first + i, first + (i + 2) % n}] = first + i + 1;
       }
       points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
       first += n;
@@ -60,8 +61,16 @@ class Coarse_triangulation {
     mark_inside();
     insert_lattice();
     refine();
+    open_flat_corners();
     collect();
     return !triangles.empty();
+  }
+
+  /// In which direction the side from a to b sets out: on the boundary to the node between.
+  const Point2& towards(std::uint32_t a, std::uint32_t b) const {
+    for (const auto& edge : {std::pair(a, b), std::pair(b, a)})
+      if (const auto found = middle_.find(edge); found != middle_.end()) return points[found->second];
+    return points[b];
   }
 
   std::vector<Point2> points;        ///< the region's nodes, then the points inside
@@ -208,6 +217,27 @@ class Coarse_triangulation {
     return least;
   }
 
+  // A triangle with two sides on the boundary, where this hardly turns, would get a flat corner.
+  void open_flat_corners() {
+    constexpr double flat = 0.35;
+    std::vector<Point2> centres;
+    for (auto f : mesh_.finite_face_handles()) {
+      if (!f->info()) continue;
+      for (int i = 0; i < 3; ++i) {
+        if (!mesh_.is_constrained({f, mesh_.cw(i)}) || !mesh_.is_constrained({f, mesh_.ccw(i)})) continue;
+        const std::uint32_t n = f->vertex(i)->info();
+        const Point2 &here = points[n], &a = towards(n, f->vertex(mesh_.ccw(i))->info()),
+                     &b = towards(n, f->vertex(mesh_.cw(i))->info());
+        const double along = (a[0] - here[0]) * (b[0] - here[0]) + (a[1] - here[1]) * (b[1] - here[1]);
+        if (along > 0 || turn(here, a, b) > flat * length_between(here, a) * length_between(here, b)) continue;
+        const auto c = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+        centres.push_back({c.x(), c.y()});
+      }
+    }
+    for (const Point2& p : centres) insert(p);
+    mark_inside();
+  }
+
   void collect() {
     for (auto f : mesh_.finite_face_handles())
       if (f->info()) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
@@ -216,6 +246,7 @@ class Coarse_triangulation {
   double size_;
   std::vector<Edge> edges_;
   std::vector<std::pair<Point2, Point2>> ends_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;  // node between the ends of an edge
   std::vector<Handle> handles_;
   Cdt mesh_;
 };

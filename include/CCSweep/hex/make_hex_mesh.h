@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,15 +38,15 @@ class Hex_mesher {
   }
 
   Hex_mesh run() {
-    constexpr int tries = 4;
+    constexpr int tries = 5;
     Arc_intervals intervals(arcs_, size_);
     for (const Cell& cell : cells_) corners_.push_back(quadrangle_corners(stack_, arcs_, cell));
     for (int i = 0; i < tries; ++i) {
       balance_quadrangles(cells_, corners_, intervals);
-      if (const auto too_coarse = mesh_all(intervals); !too_coarse)
-        return std::move(mesh_);
-      else
-        refine(cells_[*too_coarse], intervals);
+      const std::vector<std::size_t> too_coarse = mesh_all(intervals);
+      const bool all_meshed = number_of_meshed_ == cells_.size();
+      if (too_coarse.empty() || (all_meshed && i + 1 == tries)) return std::move(mesh_);
+      for (std::size_t c : too_coarse) refine(cells_[c], intervals);
     }
     fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
   }
@@ -72,8 +71,11 @@ class Hex_mesher {
       for (Arc_stack::Half_arc h : loop) intervals.add(cell.top, h, intervals(cell.top, h));
   }
 
-  // Returns a cell whose outline is too coarse, if there is one.
-  std::optional<std::size_t> mesh_all(const Arc_intervals& intervals) {
+  // Returns the cells whose outline is too coarse: they can't be meshed, or come out folded or nearly so.
+  std::vector<std::size_t> mesh_all(const Arc_intervals& intervals) {
+    constexpr double bad = 0.02;
+    std::vector<std::size_t> too_coarse;
+    number_of_meshed_ = 0;
     const std::vector<int> targets = mesh_.targets;
     mesh_ = Hex_mesh();
     mesh_.targets = targets;
@@ -88,8 +90,8 @@ class Hex_mesher {
     if (stack_.is_straight) Even_heights(stack_, arcs_, nodes).run();
     mesh_.points = nodes.points;
     for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (!mesh_cell(c, intervals, outlines[c])) return c;
-    return std::nullopt;
+      if (mesh_cell(c, intervals, outlines[c]) < bad) too_coarse.push_back(c);
+    return too_coarse;
   }
 
   Quad_region region_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals,
@@ -109,8 +111,9 @@ class Hex_mesher {
     return region;
   }
 
-  bool mesh_cell(std::size_t c, const Arc_intervals& intervals,
-                 const std::vector<std::vector<std::uint32_t>>& outlines) {
+  // Returns the least scaled Jacobian.
+  double mesh_cell(std::size_t c, const Arc_intervals& intervals,
+                   const std::vector<std::vector<std::uint32_t>>& outlines) {
     constexpr double good = 0.3;
     const Cell& cell = cells_[c];
     std::vector<std::vector<Vec3>> points;
@@ -137,9 +140,10 @@ class Hex_mesher {
       nodes = std::move(swept);
       if (best >= good) break;
     }
-    if (best == -2) return false;
+    if (best == -2) return best;
     add_cell(c, intervals, outlines, quads, nodes);
-    return true;
+    ++number_of_meshed_;
+    return best;
   }
 
   void add_cell(std::size_t c, const Arc_intervals& intervals, const std::vector<std::vector<std::uint32_t>>& outlines,
@@ -197,6 +201,7 @@ class Hex_mesher {
   std::vector<Cell> cells_;
   std::vector<std::vector<std::size_t>> corners_;  // by cell
   std::vector<Patch_index> targets_;               // by sub-volume
+  std::size_t number_of_meshed_ = 0;               // cells
   Hex_mesh mesh_;
 };
 

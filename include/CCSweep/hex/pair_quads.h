@@ -8,6 +8,8 @@
 #include <CCSweep/hex/quad_quality.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,6 +18,18 @@
 
 namespace CCSweep {
 namespace internal {
+
+/// The least sine of the angles that a coarse quad will have when it is subdivided.
+inline double quality_of_pair(const Coarse_triangulation& coarse, const std::array<std::uint32_t, 4>& quad) {
+  const auto& p = coarse.points;
+  double worst = quad_scaled_jacobian(p[quad[0]], p[quad[1]], p[quad[2]], p[quad[3]]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point2 &here = p[quad[i]], &after = coarse.towards(quad[i], quad[(i + 1) % 4]),
+                 &before = coarse.towards(quad[i], quad[(i + 3) % 4]);
+    worst = std::min(worst, turn(here, after, before) / (length_between(here, after) * length_between(here, before)));
+  }
+  return worst;
+}
 
 /// Triangles joined to quads where these are good; the rest stay triangles.
 inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Coarse_triangulation& coarse) {
@@ -34,8 +48,7 @@ inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Coarse_trian
     if (there == side.end() || edge.first > edge.second) continue;
     const std::uint32_t tip = coarse.triangles[here.first][(here.second + 2) % 3];
     const std::uint32_t foot = coarse.triangles[there->second.first][(there->second.second + 2) % 3];
-    const auto& p = coarse.points;
-    const double quality = quad_scaled_jacobian(p[edge.first], p[foot], p[edge.second], p[tip]);
+    const double quality = quality_of_pair(coarse, {edge.first, foot, edge.second, tip});
     if (quality > least)
       pairs.push_back({quality, here.first, there->second.first, {edge.first, foot, edge.second, tip}});
   }
