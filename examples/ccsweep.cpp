@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The command line program: reads a part, decomposes it, writes the sub-volumes and a report.
+// The command line program: reads a part, decomposes it, writes the sub-volumes and a report; or meshes it.
 #include "ccsweep_run.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <exception>
+#include <limits>
 
 #ifndef CCSWEEP_VERSION
 #define CCSWEEP_VERSION "unknown"
@@ -19,6 +20,9 @@
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Inexact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 extern template CCSweep::Status program::run<Exact_kernel>(const program::Options&, program::Progress&);
+namespace program {
+CCSweep::Status mesh(const Options& options, Progress& progress);
+}
 
 namespace {
 
@@ -53,6 +57,7 @@ int exit_status(Status_code code) {
     case Status_code::cut_failed:
     case Status_code::sub_volume_not_closed:
     case Status_code::verification_failed:
+    case Status_code::hex_mesh_failed:
       return 5;
   }
   return 5;
@@ -61,6 +66,7 @@ int exit_status(Status_code code) {
 // What nobody foresaw is a failure like any other: it has a stage and a report.
 Status run_guarded(const Options& options, Progress& progress) {
   try {
+    if (options.meshes) return mesh(options, progress);
     if (options.kernel == "exact") return run<Exact_kernel>(options, progress);
     return run<Inexact_kernel>(options, progress);
   } catch (const std::exception& error) {
@@ -110,19 +116,20 @@ std::array<double, 3> parse_direction(const std::string& text) {
   return {values[0], values[1], values[2]};
 }
 
+// Not CLI::Range, which lets NaN pass.
+CLI::Validator between(double low, double high) {
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        double value = 0;
+        const bool fits = CLI::detail::lexical_cast(text, value) && value > low && value <= high;
+        return fits ? std::string()
+                    : text + " is not a number above " + CLI::detail::to_string(low) + " and up to " +
+                          CLI::detail::to_string(high);
+      },
+      "");
+}
+
 void add_options(CLI::App& command, Options& options) {
-  // Not CLI::Range, which lets NaN pass.
-  const auto between = [](double low, double high) {
-    return CLI::Validator(
-        [low, high](const std::string& text) {
-          double value = 0;
-          const bool fits = CLI::detail::lexical_cast(text, value) && value > low && value <= high;
-          return fits ? std::string()
-                      : text + " is not a number above " + CLI::detail::to_string(low) + " and up to " +
-                            CLI::detail::to_string(high);
-        },
-        "");
-  };
   command.add_option("PART", options.part, "the part: .ply with the face property patch_id, or .ply, .off, .stl")
       ->required();
   command.add_option_function<std::string>(
@@ -144,9 +151,6 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--layers", options.layers, "at least so many layers")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command.add_option("--kernel", options.kernel, "arithmetic of constructed points: inexact or exact")
-      ->check(CLI::IsMember({"inexact", "exact"}))
-      ->capture_default_str();
   command
       .add_option("--angle", options.angle, "patches of a part without patch ids end where it turns by more, degrees")
       ->check(between(0, 179))
@@ -154,6 +158,31 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--dump", options.dump, "on failure, draw the layer that failed in this folder (SVG and VTP)");
   command.add_option("--report", options.report, "write a report in JSON to this file");
   command.add_flag("--quiet", options.is_quiet, "print nothing but the reason of a failure");
+}
+
+void add_kernel_option(CLI::App& command, Options& options) {
+  command.add_option("--kernel", options.kernel, "arithmetic of constructed points: inexact or exact")
+      ->check(CLI::IsMember({"inexact", "exact"}))
+      ->capture_default_str();
+}
+
+void add_mesh_options(CLI::App& command, Options& options) {
+  const CLI::Validator mesh_file(
+      [](const std::string& file) {
+        for (const char* kind : {".vtu", ".msh", ".inp"})
+          if (file.ends_with(kind)) return std::string();
+        return file + " ends with none of .vtu, .msh, .inp";
+      },
+      "");
+  command.add_option("--size", options.size, "edge length of the hexahedra")
+      ->required()
+      ->check(between(0, std::numeric_limits<double>::max()));
+  command.add_option("--out", options.files, "file of the mesh: .vtu, .msh or .inp; may be given several times")
+      ->required()
+      ->check(mesh_file);
+  command.add_option("--msh-version", options.msh_version, "version of Gmsh's format")
+      ->check(CLI::IsMember({"4.1", "2.2"}))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -167,16 +196,23 @@ int main(int argc, char* argv[]) {
   CLI::App* inspect_command =
       app.add_subcommand("inspect", "Show the roles and levels of a part's patches, or why it can't be swept");
   add_options(*inspect_command, options);
+  add_kernel_option(*inspect_command, options);
   CLI::App* decompose_command = app.add_subcommand("decompose", "Write the sub-volumes of a part and a report");
   add_options(*decompose_command, options);
+  add_kernel_option(*decompose_command, options);
   decompose_command->add_option("--out", options.folder, "folder for volume_NNN.ply, decomposition.vtp and report.json")
       ->required();
+  CLI::App* mesh_command = app.add_subcommand(
+      "mesh", "Write a conformal hexahedral mesh of a part, of a decomposition's folder or of one volume_NNN.ply");
+  add_options(*mesh_command, options);
+  add_mesh_options(*mesh_command, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   options.inspects = inspect_command->parsed();
+  options.meshes = mesh_command->parsed();
   Progress progress(!options.is_quiet && isatty(STDERR_FILENO) == 1, !options.dump.empty());
   return finish(run_guarded(options, progress), options, progress);
 }

@@ -36,8 +36,11 @@ using CCSweep::Status;
 using CCSweep::Status_code;
 
 struct Options {
-  bool inspects = false;  // or decomposes
+  bool inspects = false, meshes = false;  // or decomposes
   std::string part, folder, report, dump;
+  std::vector<std::string> files;  // of the hexahedral mesh
+  double size = 0;                 // of the hexahedra
+  std::string msh_version = "4.1";
   std::array<double, 3> direction{};  // zero: the algorithm chooses
   std::vector<int> sources, targets;  // empty: the algorithm chooses
   double tolerance = 1e-5, spanning_angle = 7.5, angle = 30;

@@ -38,6 +38,7 @@ enum class Status_code {
   cut_failed,                ///< a curve could not be drawn on the input surface
   sub_volume_not_closed,     ///< the cut surfaces do not separate the sub-volumes
   verification_failed,       ///< a finished result failed the independent check
+  hex_mesh_failed,           ///< hexahedra would fold, or a cap can't be meshed at the size asked for
 };
 
 /// The stage of the pipeline that a status speaks of, in the order of the paper's outline (section 2).
@@ -54,6 +55,7 @@ enum class Stage {
   decomposition_sets,
   sub_volumes,
   verification,
+  hex_mesh,
   output,
 };
 
@@ -131,6 +133,7 @@ inline const char* name(Status_code code) {
     case Status_code::cut_failed: return "cut_failed";
     case Status_code::sub_volume_not_closed: return "sub_volume_not_closed";
     case Status_code::verification_failed: return "verification_failed";
+    case Status_code::hex_mesh_failed: return "hex_mesh_failed";
   }
   return "unknown";
 }
@@ -150,6 +153,7 @@ inline const char* name(Stage stage) {
     case Stage::decomposition_sets: return "decomposition_sets";
     case Stage::sub_volumes: return "sub_volumes";
     case Stage::verification: return "verification";
+    case Stage::hex_mesh: return "hex_mesh";
     case Stage::output: return "output";
   }
   return "unknown";

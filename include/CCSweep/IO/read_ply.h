@@ -186,6 +186,8 @@ class Ply_body {
     const std::size_t patch = element.find("patch_id");
     if (patch != end && (element.properties[patch].count_type || !is_integral(element.properties[patch].type)))
       rows_.fail("the face property 'patch_id' must be an integer");
+    std::size_t role = element.find("role");
+    if (role != end && (element.properties[role].count_type || !is_integral(element.properties[role].type))) role = end;
     soup_.offsets.reserve(element.count + 1);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       for (std::size_t i = 0; i < end; ++i) {
@@ -193,6 +195,8 @@ class Ply_body {
           read_polygon(element.properties[i]);
         else if (i == patch)
           soup_.patch_ids.push_back(read_patch_id(element.properties[i].type));
+        else if (i == role)
+          soup_.roles.push_back(static_cast<int>(rows_.value(element.properties[i].type)));
         else
           skip(element.properties[i]);
       }
@@ -247,8 +251,8 @@ class Ply_body {
 }  // namespace internal
 
 /// Reads a PLY file: ascii or binary of either byte order, faces of any number of corners in a list `vertex_indices` or
-/// `vertex_index`, patch ids in the face property `patch_id` of any integer type. Other elements and properties are
-/// passed over.
+/// `vertex_index`, patch ids in the face property `patch_id` and roles in `role`, both of any integer type. Other
+/// elements and properties are passed over.
 ///
 /// Returns `Status_code::unreadable_file` with the line (ascii) or the byte offset (binary) when the file is missing or
 /// truncated, when its header lies about what follows, or when a corner is none of its vertices. A count never makes

@@ -44,6 +44,10 @@ class Column_map {
   /// The place of the lower loop below node i of the upper one.
   Loop_place below(std::size_t i) const { return locate(bottom_v_, top_v_[i]); }
 
+  /// The same for any place of a loop.
+  Loop_place above(const Loop_place& place) const { return locate(top_v_, bottom_v_.at(place)); }
+  Loop_place below(const Loop_place& place) const { return locate(bottom_v_, top_v_.at(place)); }
+
   Point point_above(std::size_t i) const { return at(top_, above(i)); }
   Point point_below(std::size_t i) const { return at(bottom_, below(i)); }
 
@@ -54,6 +58,12 @@ class Column_map {
     std::size_t start = 0;
     double period = 1;
     double operator[](std::size_t i) const { return of_node[i]; }
+    double at(const Loop_place& place) const {
+      const double a = of_node[place.index];
+      double b = of_node[(place.index + 1) % of_node.size()];
+      if (b < a) b += period;
+      return a + place.fraction * (b - a);
+    }
   };
 
   double length_across(const Point& a, const Point& b) const {
@@ -149,6 +159,7 @@ class Column_map {
     const std::size_t n = c.of_node.size();
     auto node = [&](std::size_t k) { return (c.start + k) % n; };
     if (v < c[c.start]) v += c.period;  // before the first node: on the piece that closes the loop
+    if (v >= c[c.start] + c.period) v -= c.period;
     std::size_t low = 0, high = n;      // the last node whose v is not larger
     while (high - low > 1) {
       const std::size_t middle = (low + high) / 2;

@@ -30,7 +30,9 @@ struct Layering_options {
   /// Degrees the sweep may turn between two layers. The paper's 60 (section 2.1) is an upper bound: a cut is straight
   /// between layers and would leave a bend that turns so far.
   double spanning_angle = 7.5;
-  int slabs = 1;               ///< the least number of slabs between two levels
+  int slabs = 1;  ///< the least number of slabs between two levels
+  /// How far the sweep parameter may grow between two layers, to the nearest whole number of slabs.
+  double spacing = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace CCSweep

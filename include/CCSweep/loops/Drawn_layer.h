@@ -86,10 +86,12 @@ class Drawn_layer {
     }
   }
 
-  /// Draws the next piece of a row along a carrier.
-  void draw_row_piece(const Carrier& carrier, Node_index a, Node_index b, const Loop_label& left,
-                      const Loop_label& right) {
-    drawn_[key(carrier)].push_back(draw_fixed(carrier, a, b, left, right));
+  /// Draws the next piece of a row along a carrier and returns its segment.
+  std::size_t draw_row_piece(const Carrier& carrier, Node_index a, Node_index b, const Loop_label& left,
+                             const Loop_label& right) {
+    const std::size_t s = draw_fixed(carrier, a, b, left, right);
+    drawn_[key(carrier)].push_back(s);
+    return s;
   }
 
   /// Draws the image of a cut's lower border.

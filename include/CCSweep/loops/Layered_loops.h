@@ -4,6 +4,7 @@
 #define CCSWEEP_LOOPS_LAYERED_LOOPS_H
 
 #include <CCSweep/indices.h>
+#include <CCSweep/linking/Wall_sections.h>
 #include <CCSweep/part/Surface_location.h>
 
 #include <array>
@@ -62,12 +63,22 @@ struct Layered_loops {
     Patch_index target;
   };
 
+  /// A wall between two layers, as the ring between a loop below and a loop above.
+  struct Wall_ring {
+    std::vector<Node_index> bottom, top;  ///< in the nodes of the imprinted layers; the material is on the left
+    std::vector<Wall_strip::Rail> rails;  ///< positions in `bottom` and `top` that stand above one another
+    std::vector<Patch_index> patch;       ///< by piece of `bottom`: the linking patch above it
+    std::size_t barrel = 0;               ///< equal for the rings of one body between the two layers
+  };
+
   std::vector<Node> nodes;
   std::vector<std::array<double, 3>> up;              ///< by layer: unit vector along the sweep
   std::vector<std::vector<Segment>> segments;         ///< by layer
   std::vector<std::vector<Cut>> cuts;                 ///< by layer below
   std::vector<std::vector<Wall_column>> wall_columns; ///< by layer below
+  std::vector<std::vector<Wall_ring>> rings;          ///< by layer below
   std::vector<Wall_label> wall_labels;
+  bool is_upright = false;                            ///< all walls stand along a straight sweep
   std::vector<std::string> notes;
 
   const Node& node(Node_index n) const { return nodes[n.value()]; }

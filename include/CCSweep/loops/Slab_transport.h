@@ -28,6 +28,7 @@ struct Arriving_loop {
   std::vector<Node_index> nodes;
   std::vector<Wall_loop::Carrier> carriers;
   std::vector<Patch_index> targets;
+  std::vector<std::size_t> segments;  ///< of the drawing, by piece
 };
 
 /// Carries what goes on above a layer to the next one: wall nodes up their columns, the other nodes by the affine map
@@ -97,6 +98,10 @@ class Slab_transport {
 
   /// Where the images of a cut's ends lie before the imprint moves them.
   const std::array<Vec3, 2>& projected(std::size_t cut) const { return projected_[cut]; }
+
+  /// The loop below an arriving one.
+  std::size_t bottom_of(std::size_t arriving) const { return bottom_of_.at(arriving); }
+  const Leaving_loop& leaving_loop(std::size_t i) const { return leaving_[i]; }
 
   /// Makes the nodes above those that lie on no wall.
   void project_interior(Drawn_layer<Traits>& drawn) {

@@ -17,6 +17,7 @@
 #include <CCSweep/visitor.h>
 
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,8 +39,9 @@ class Layer_sweeper {
         sections_(sections),
         tolerance_(tolerance),
         neighbours_(neighbours),
-        visitor_(visitor),
-        is_upright_(all_walls_upright()) {}
+        visitor_(visitor) {
+    loops_.is_upright = all_walls_upright();
+  }
 
   Layered_loops<Traits> run() {
     const std::size_t n = layering_.number_of_layers();
@@ -47,6 +49,7 @@ class Layer_sweeper {
     loops_.segments.resize(n);
     loops_.cuts.resize(n);
     loops_.wall_columns.resize(n);
+    loops_.rings.resize(n);
     visitor_.begin(Stage::imprint, n);
     for (std::size_t k = 0; k < n; ++k) {
       if (visitor_.cancel()) fail(Status_code::cancelled, Stage::imprint, "cancelled");
@@ -114,10 +117,11 @@ class Layer_sweeper {
     for (std::size_t i = 0; i < loops.size(); ++i)
       arriving_.push_back(transport_->arriving_loop(i, drawn));
     transport_->project_interior(drawn);
-    for (const auto& loop : arriving_)
+    for (auto& loop : arriving_)
       for (std::size_t i = 0; i < loop.nodes.size(); ++i) {
         const Node_index a = loop.nodes[i], b = loop.nodes[(i + 1) % loop.nodes.size()];
-        drawn.draw_row_piece(loop.carriers[i], a, b, target_label(loop.targets[i]), Loop_label());
+        loop.segments.push_back(
+            drawn.draw_row_piece(loop.carriers[i], a, b, target_label(loop.targets[i]), Loop_label()));
         if (loop.carriers[i].is_edge)
           loops_.wall_labels.push_back({a, b, loop.carriers[i].index, false, loop.targets[i]});
       }
@@ -164,7 +168,7 @@ class Layer_sweeper {
     return label;
   }
 
-  void record(Layer_index layer, const Drawn_layer<Traits>& drawn, const Imprinted_layer<Traits>& imprinted) {
+  void record(Layer_index layer, Drawn_layer<Traits>& drawn, const Imprinted_layer<Traits>& imprinted) {
     loops_.segments[layer.value()] = imprinted.segments();
     if (layer.value() == 0) return;
     auto& cuts = loops_.cuts[layer.value() - 1];
@@ -177,6 +181,46 @@ class Layer_sweeper {
     auto& columns = loops_.wall_columns[layer.value() - 1];
     for (const auto& column : transport_->wall_columns())
       columns.push_back({column.bottom, imprinted.final_node(column.top)});
+    for (const Wall_strip& strip : sections_.strips[layer.value() - 1])
+      loops_.rings[layer.value() - 1].push_back(ring(strip, layer, drawn, imprinted));
+  }
+
+  // A strip of the linking mesh, in the nodes of the two layers after their imprints.
+  typename Layered_loops<Traits>::Wall_ring ring(const Wall_strip& strip, Layer_index above,
+                                                 Drawn_layer<Traits>& drawn,
+                                                 const Imprinted_layer<Traits>& imprinted) const {
+    typename Layered_loops<Traits>::Wall_ring ring;
+    const Leaving_loop& bottom = transport_->leaving_loop(strip.bottom);
+    ring.bottom = bottom.nodes;
+    ring.barrel = bottom.barrels.front();
+    for (const auto& carrier : bottom.carriers)
+      ring.patch.push_back(linking_patch_above(carrier, layering_.layers[above.value() - 1]));
+    std::map<Node_index, std::size_t> position;
+    for (std::size_t s : arriving_[strip.top].segments)
+      for (Node_index n : imprinted.chain(s))
+        if (ring.top.empty() || ring.top.back() != n) {
+          position.emplace(n, ring.top.size());
+          ring.top.push_back(n);
+        }
+    if (ring.top.size() > 1 && ring.top.front() == ring.top.back()) ring.top.pop_back();
+    const auto& row = sections_.arriving[above.value()][strip.top];
+    for (const auto& rail : strip.rails)
+      if (auto found = position.find(imprinted.final_node(drawn.node_at(row.nodes[rail.top])));
+          found != position.end())
+        ring.rails.push_back({bottom.position[rail.bottom], found->second});
+    return ring;
+  }
+
+  // A row runs along an edge where it meets facets in their corners; the wall goes on in the one that rises from it.
+  Patch_index linking_patch_above(const Wall_loop::Carrier& carrier, double value) const {
+    if (!carrier.is_edge) return part_.patch(typename Part<Traits>::Face(carrier.index));
+    const auto h = part_.first_halfedge(typename Part<Traits>::Edge(carrier.index));
+    for (auto side : {h, part_.mesh.opposite(h)}) {
+      const Patch_index patch = part_.patch(part_.mesh.face(side));
+      const auto tip = part_.mesh.target(part_.mesh.next(side));
+      if (roles_.of_patch[patch.value()] == Role::linking && layering_.parameter[tip] > value) return patch;
+    }
+    return Patch_index();
   }
 
   void transport_to_next(Layer_index layer, Drawn_layer<Traits>& drawn, const Imprinted_layer<Traits>& imprinted) {
@@ -186,8 +230,8 @@ class Layer_sweeper {
         if (loop.carriers[i].is_edge)
           loops_.wall_labels.push_back({loop.nodes[i], loop.nodes[(i + 1) % loop.nodes.size()],
                                         loop.carriers[i].index, true, loop.targets[i]});
-    transport_.emplace(part_, loops_.up[layer.value()], roles_.is_straight(), is_upright_, sections_.arriving[layer.value() + 1], sections_.strips[layer.value()],
-                       std::move(leaving), imprinted, tolerance_, neighbours_, loops_);
+    transport_.emplace(part_, loops_.up[layer.value()], roles_.is_straight(), loops_.is_upright,
+                       sections_.arriving[layer.value() + 1], sections_.strips[layer.value()], std::move(leaving), imprinted, tolerance_, neighbours_, loops_);
   }
 
   void note(Layer_index layer, const Imprint<Traits>& imprint) {
@@ -212,7 +256,6 @@ class Layer_sweeper {
   double tolerance_;
   std::size_t neighbours_;
   Visitor& visitor_;
-  bool is_upright_;
   Layered_loops<Traits> loops_;
   std::optional<Slab_transport<Traits, PointIndex>> transport_;
   std::vector<Arriving_loop> arriving_;

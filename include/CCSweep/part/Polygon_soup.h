@@ -20,6 +20,7 @@ struct Polygon_soup {
   std::vector<Vertex> corners;             ///< the corners of all polygons, one polygon after the other
   std::vector<std::size_t> offsets = {0};  ///< polygon `f` owns `corners[offsets[f]]` up to `corners[offsets[f + 1]]`
   std::vector<int> patch_ids;              ///< one for each polygon, or empty where the file knows none
+  std::vector<int> roles;                  ///< of each polygon in a file of a sub-volume, a `Role`; else empty
 
   std::size_t number_of_polygons() const { return offsets.size() - 1; }
   bool has_patch_ids() const { return !patch_ids.empty(); }

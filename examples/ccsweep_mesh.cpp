@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command line program's hexahedral meshes: of a part, of a decomposition in a folder, or of one sub-volume.
+#include "ccsweep_run.h"
+
+#include <CCSweep/IO/read_volumes.h>
+#include <CCSweep/IO/write_inp.h>
+#include <CCSweep/IO/write_msh.h>
+#include <CCSweep/IO/write_vtu.h>
+#include <CCSweep/hex_mesh.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace program {
+namespace {
+
+using Point = CCSweep::Double_point;
+using CCSweep::Hex_mesh;
+
+constexpr int bars = 10;
+
+// How many hexahedra have a scaled Jacobian in each tenth from 0 to 1.
+std::vector<std::size_t> histogram(const std::vector<double>& qualities) {
+  std::vector<std::size_t> counts(bars, 0);
+  for (double q : qualities) ++counts[static_cast<std::size_t>(std::clamp(q * bars, 0.0, bars - 0.5))];
+  return counts;
+}
+
+// A sub-volume leads away from its target.
+std::array<double, 3> direction_of(const CCSweep::Sub_volume<Point>& volume) {
+  const auto role = CCSweep::internal::int_map(volume.mesh, volume.role_map);
+  CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+  for (auto f : volume.mesh.faces()) {
+    if (role[f] != static_cast<int>(Role::target)) continue;
+    const auto h = volume.mesh.halfedge(f);
+    const auto& a = volume.mesh.point(volume.mesh.source(h));
+    sum = sum - CGAL::cross_product(volume.mesh.point(volume.mesh.target(h)) - a,
+                                    volume.mesh.point(volume.mesh.target(volume.mesh.next(h))) - a);
+  }
+  return {sum.x(), sum.y(), sum.z()};
+}
+
+Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
+  const auto part = CCSweep::read_part<Point>(options.part, {true, options.angle});
+  if (!part) return part.status();
+  Options forced = options;
+  // A sub-volume knows its caps; its cuts are linking faces like any other.
+  if (options.part.ends_with(".ply") && options.sources.empty() && options.targets.empty())
+    if (const auto volume = CCSweep::read_volume<Point>(options.part); volume && volume.value().target != -1) {
+      forced.targets = {volume.value().target};
+      forced.sources = volume.value().sources;
+      if (options.direction == std::array<double, 3>{}) forced.direction = direction_of(volume.value());
+    }
+  return CCSweep::hex_mesh(part.value().mesh,
+                           parameters_of(forced, part.value().patch_ids(), progress).size(options.size));
+}
+
+Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
+  const auto decomposition = CCSweep::read_volumes<Point>(options.part);
+  if (!decomposition) return decomposition.status();
+  return CCSweep::hex_mesh(decomposition.value(), CCSweep::parameters::tolerance(options.tolerance)
+                                                      .spanning_angle(options.spanning_angle)
+                                                      .layers(options.layers)
+                                                      .visitor(std::ref(progress))
+                                                      .size(options.size));
+}
+
+Status write(const Hex_mesh& mesh, const std::string& file, const Options& options) {
+  const std::string kind = std::filesystem::path(file).extension().string();
+  if (kind == ".msh")
+    return CCSweep::write_msh(mesh, file,
+                              options.msh_version == "2.2" ? CCSweep::Msh_version::v2_2 : CCSweep::Msh_version::v4_1);
+  if (kind == ".inp") return CCSweep::write_inp(mesh, file);
+  return CCSweep::write_vtu(mesh, file);
+}
+
+CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qualities, double seconds) {
+  double sum = 0;
+  for (double q : qualities) sum += q;
+  CCSweep::Report report;
+  report["status"] = name(Status_code::ok);
+  report["hexahedra"] = mesh.hexes.size();
+  report["nodes"] = mesh.points.size();
+  report["volumes"] = mesh.targets.size();
+  report["scaled_jacobian"] = {{"minimum", *std::min_element(qualities.begin(), qualities.end())},
+                               {"mean", sum / static_cast<double>(qualities.size())},
+                               {"histogram", histogram(qualities)}};
+  report["seconds"] = {{name(Stage::hex_mesh), seconds}};
+  return report;
+}
+
+void print(const CCSweep::Report& report) {
+  const auto& quality = report["scaled_jacobian"];
+  std::cout << report["hexahedra"] << " hexahedra, " << report["nodes"] << " nodes in " << report["volumes"]
+            << " sub-volumes\nscaled Jacobian: minimum " << quality["minimum"] << ", mean " << quality["mean"] << '\n';
+  for (std::size_t i = 0; i < bars; ++i)
+    std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i] << '\n';
+}
+
+}  // namespace
+
+Status mesh(const Options& options, Progress& progress) {
+  const Stopwatch watch;
+  const auto result = std::filesystem::is_directory(options.part) ? mesh_folder(options, progress)
+                                                                  : mesh_part(options, progress);
+  progress.clear();
+  if (!result) return result.status();
+  const double seconds = watch.seconds();
+  for (const std::string& file : options.files)
+    if (Status status = write(result.value(), file, options); !status.ok()) return status;
+  const CCSweep::Report report = make_report(result.value(), CCSweep::scaled_jacobians(result.value()), seconds);
+  if (!options.is_quiet) print(report);
+  return write_reports(report, options);
+}
+
+}  // namespace program

@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_HEX_COARSE_TRIANGULATION_H
+#define CCSWEEP_HEX_COARSE_TRIANGULATION_H
+
+#include <CCSweep/hex/Quad_region.h>
+#include <CCSweep/hex/quad_quality.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CCSweep::internal {
+
+/// Triangles of twice the size, over every second node of a region's loops and points inside; to be paired and
+/// subdivided.
+class Coarse_triangulation {
+ public:
+  using Triangle = std::array<std::uint32_t, 3>;
+  struct Edge {
+    std::uint32_t a, b;  // nodes of the region two apart
+  };
+
+  Coarse_triangulation(const Quad_region& region, double size) : size_(2 * size) {
+    std::uint32_t first = 0;
+    for (const auto& loop : region.loops) {
+      const auto n = static_cast<std::uint32_t>(loop.nodes.size());
+      for (std::uint32_t i = 0; i < n; i += 2) {
+        edges_.push_back({first + i, first + (i + 2) % n});
+        ends_.push_back({loop.nodes[i], loop.nodes[(i + 2) % n]});
+        middle_[{first + i, first + (i + 2) % n}] = first + i + 1;
+      }
+      points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
+      first += n;
+    }
+  }
+
+  /// False where the coarse loops cross each other: the boundary needs more nodes.
+  bool run() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const auto a = vertex(edges_[e].a), b = vertex(edges_[e].b);
+      if (a == b || a == nullptr || b == nullptr) return false;
+      try {
+        mesh_.insert_constraint(a, b);
+      } catch (const Cdt::Intersection_of_constraints_exception&) {
+        return false;
+      }
+    }
+    for (const Edge& e : edges_)
+      if (!mesh_.is_edge(handles_.at(e.a), handles_.at(e.b))) return false;
+    mark_inside();
+    insert_lattice();
+    refine();
+    open_flat_corners();
+    collect();
+    return !triangles.empty();
+  }
+
+  /// In which direction the side from a to b sets out: on the boundary to the node between.
+  const Point2& towards(std::uint32_t a, std::uint32_t b) const {
+    for (const auto& edge : {std::pair(a, b), std::pair(b, a)})
+      if (const auto found = middle_.find(edge); found != middle_.end()) return points[found->second];
+    return points[b];
+  }
+
+  std::vector<Point2> points;        ///< the region's nodes, then the points inside
+  std::vector<Triangle> triangles;   ///< counter-clockwise
+
+ private:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
+      Kernel,
+      CGAL::Triangulation_data_structure_2<
+          CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>,
+          CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>,
+      CGAL::No_constraint_intersection_tag>;
+  using Handle = Cdt::Vertex_handle;
+
+  static Kernel::Point_2 point(const Point2& p) { return {p[0], p[1]}; }
+
+  Handle vertex(std::uint32_t n) {
+    if (handles_.size() < points.size()) handles_.resize(points.size());
+    if (handles_[n] == nullptr) {
+      const std::size_t before = mesh_.number_of_vertices();
+      const Handle v = mesh_.insert(point(points[n]));
+      if (mesh_.number_of_vertices() == before) return nullptr;
+      v->info() = n;
+      handles_[n] = v;
+    }
+    return handles_[n];
+  }
+
+  // Faces to which an odd number of constraints leads from outside.
+  void mark_inside() {
+    for (auto f : mesh_.all_face_handles()) f->info() = false;
+    std::deque<std::pair<Cdt::Face_handle, bool>> queue{{mesh_.infinite_face(), false}};
+    CGAL::Unique_hash_map<Cdt::Face_handle, bool> seen(false);
+    seen[mesh_.infinite_face()] = true;
+    while (!queue.empty()) {
+      const auto [f, inside] = queue.front();
+      queue.pop_front();
+      f->info() = inside;
+      for (int i = 0; i < 3; ++i) {
+        const auto g = f->neighbor(i);
+        if (seen[g]) continue;
+        seen[g] = true;
+        queue.push_back({g, inside != mesh_.is_constrained({f, i})});
+      }
+    }
+  }
+
+  // The distance from the loops, and the size wanted there: it grows from the boundary's inwards.
+  std::pair<double, double> distance_and_size(const Point2& p) const {
+    double nearest = 1e300, wanted = size_;
+    for (const auto& [a, b] : ends_) {
+      const double wx = b[0] - a[0], wy = b[1] - a[1], l2 = wx * wx + wy * wy;
+      const double t = std::clamp(((p[0] - a[0]) * wx + (p[1] - a[1]) * wy) / l2, 0.0, 1.0);
+      const double d = std::hypot(p[0] - a[0] - t * wx, p[1] - a[1] - t * wy);
+      nearest = std::min(nearest, d);
+      wanted = std::min(wanted, std::sqrt(l2) + 0.4 * d);
+    }
+    return {nearest, wanted};
+  }
+
+  bool is_inside(const Point2& p) const {
+    Cdt::Locate_type type;
+    int i;
+    const auto f = mesh_.locate(point(p), type, i);
+    return type == Cdt::FACE && f->info();
+  }
+
+  // A square lattice in the direction of most of the boundary: triangles on it pair to squares.
+  void insert_lattice() {
+    double cosine = 0, sine = 0;
+    Point2 low = points[0], high = points[0];
+    for (const auto& [a, b] : ends_) {
+      const double angle = 4 * std::atan2(b[1] - a[1], b[0] - a[0]), length = length_between(a, b);
+      cosine += length * std::cos(angle);
+      sine += length * std::sin(angle);
+      for (int x : {0, 1}) {
+        low[x] = std::min(low[x], a[x]);
+        high[x] = std::max(high[x], a[x]);
+      }
+    }
+    const double angle = std::atan2(sine, cosine) / 4, c = std::cos(angle), s = std::sin(angle);
+    const Point2 middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
+    const int reach = static_cast<int>(std::ceil(length_between(low, high) / size_ / 2)) + 1;
+    std::vector<Point2> found;
+    for (int i = -reach; i <= reach; ++i)
+      for (int j = -reach; j <= reach; ++j) {
+        const double u = i * size_, v = j * size_;
+        const Point2 p{middle[0] + c * u - s * v, middle[1] + s * u + c * v};
+        if (!is_inside(p)) continue;
+        const auto [d, wanted] = distance_and_size(p);
+        if (d > 0.7 * size_ && wanted > 0.8 * size_) found.push_back(p);
+      }
+    for (const Point2& p : found) insert(p);
+  }
+
+  void insert(const Point2& p) {
+    const std::size_t before = mesh_.number_of_vertices();
+    const Handle v = mesh_.insert(point(p));
+    if (mesh_.number_of_vertices() == before) return;
+    v->info() = static_cast<std::uint32_t>(points.size());
+    points.push_back(p);
+  }
+
+  // Puts points in the centres of circles that are too large, not near the boundary.
+  void refine() {
+    const std::size_t most = 20 * (points.size() + 100);
+    for (bool changed = true; changed && points.size() < most;) {
+      mark_inside();
+      std::vector<std::pair<double, Point2>> centres;
+      for (auto f : mesh_.finite_face_handles()) {
+        if (!f->info()) continue;
+        const auto c = mesh_.circumcenter(f);
+        const Point2 p{c.x(), c.y()};
+        if (!is_inside(p)) continue;
+        const double radius = std::sqrt(CGAL::squared_distance(c, f->vertex(0)->point()));
+        const auto [d, wanted] = distance_and_size(p);
+        if (d > 0.6 * wanted && radius > 0.85 * wanted) centres.push_back({radius / wanted, p});
+      }
+      std::sort(centres.rbegin(), centres.rend());
+      changed = insert_apart(centres);
+    }
+    mark_inside();
+  }
+
+  bool insert_apart(const std::vector<std::pair<double, Point2>>& centres) {
+    bool changed = false;
+    for (const auto& [excess, p] : centres) {
+      const double wanted = distance_and_size(p).second;
+      if (squared_distance_to_vertices(p) < 0.5 * wanted * wanted) continue;
+      insert(p);
+      changed = true;
+    }
+    return changed;
+  }
+
+  // To those of the triangle around p and of its neighbours.
+  double squared_distance_to_vertices(const Point2& p) const {
+    const auto f = mesh_.locate(point(p));
+    double least = 1e300;
+    for (int i = 0; i < 3; ++i)
+      for (const auto& v : {f->vertex(i), f->neighbor(i)->vertex(f->neighbor(i)->index(f))})
+        if (!mesh_.is_infinite(v)) least = std::min(least, CGAL::squared_distance(v->point(), point(p)));
+    return least;
+  }
+
+  // A triangle with two sides on the boundary, where this hardly turns, would get a flat corner.
+  void open_flat_corners() {
+    constexpr double flat = 0.35;
+    std::vector<Point2> centres;
+    for (auto f : mesh_.finite_face_handles()) {
+      if (!f->info()) continue;
+      for (int i = 0; i < 3; ++i) {
+        if (!mesh_.is_constrained({f, mesh_.cw(i)}) || !mesh_.is_constrained({f, mesh_.ccw(i)})) continue;
+        const std::uint32_t n = f->vertex(i)->info();
+        const Point2 &here = points[n], &a = towards(n, f->vertex(mesh_.ccw(i))->info()),
+                     &b = towards(n, f->vertex(mesh_.cw(i))->info());
+        const double along = (a[0] - here[0]) * (b[0] - here[0]) + (a[1] - here[1]) * (b[1] - here[1]);
+        if (along > 0 || turn(here, a, b) > flat * length_between(here, a) * length_between(here, b)) continue;
+        const auto c = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+        centres.push_back({c.x(), c.y()});
+      }
+    }
+    for (const Point2& p : centres) insert(p);
+    mark_inside();
+  }
+
+  void collect() {
+    for (auto f : mesh_.finite_face_handles())
+      if (f->info()) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  }
+
+  double size_;
+  std::vector<Edge> edges_;
+  std::vector<std::pair<Point2, Point2>> ends_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;  // node between the ends of an edge
+  std::vector<Handle> handles_;
+  Cdt mesh_;
+};
+
+}  // namespace CCSweep::internal
+
+#endif

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_HEX_HEX_MESH_H
+#define CCSWEEP_HEX_HEX_MESH_H
+
+#include <CCSweep/volumes/Decomposition.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CCSweep {
+
+/// A conformal mesh of hexahedra: neighbours share whole faces, and no two nodes stand at the same place.
+struct Hex_mesh {
+  using Point = std::array<double, 3>;
+
+  /// A face of exactly one hexahedron, turning outward.
+  struct Boundary_quad {
+    std::array<std::uint32_t, 4> nodes;
+    int patch_id;  ///< of the input patch it lies on
+    Role role;     ///< source, target or linking
+    int volume;    ///< index of the sub-volume
+  };
+
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 8>> hexes;  ///< nodes in VTK's order: the bottom quad, then the top quad above it
+  std::vector<int> volume;                          ///< by hexahedron: index of the sub-volume
+  std::vector<int> targets;                         ///< by sub-volume: id of its target patch
+  std::vector<Boundary_quad> boundary;
+};
+
+}  // namespace CCSweep
+
+#endif

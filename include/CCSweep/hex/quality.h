@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_HEX_QUALITY_H
+#define CCSWEEP_HEX_QUALITY_H
+
+#include <CCSweep/hex/Hex_mesh.h>
+#include <CCSweep/part/Part.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CCSweep {
+
+/// The corners of a hexahedron, in VTK's order.
+using Hex_corners = std::array<std::array<double, 3>, 8>;
+
+namespace internal {
+
+inline Hex_corners corners_of(const Hex_mesh& mesh, std::size_t hex) {
+  Hex_corners p;
+  for (int i = 0; i < 8; ++i) p[i] = mesh.points[mesh.hexes[hex][i]];
+  return p;
+}
+
+/// At each corner its neighbours, in the sense that makes the determinant of the edges positive.
+inline constexpr int hex_neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                             {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+
+/// The determinant of three vectors over their lengths; -1 where one of them vanishes.
+inline double scaled_determinant(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double size = norm(a) * norm(b) * norm(c);
+  return size > 0 ? dot(a, cross(b, c)) / size : -1;
+}
+
+/// The Bezier coefficients of a quadratic from its values at 0, 1/2 and 1.
+inline std::array<double, 3> bezier(double a, double m, double b) { return {a, 2 * m - (a + b) / 2, b}; }
+
+/// The determinant of the trilinear map of the unit cube at a place.
+inline double jacobian_at(const Hex_corners& p, const std::array<double, 3>& at) {
+  constexpr int cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  std::array<Vec3, 3> d{};
+  for (int n = 0; n < 8; ++n)
+    for (int k = 0; k < 3; ++k) {
+      double w = cube[n][k] ? 1 : -1;
+      for (int j = 0; j < 3; ++j)
+        if (j != k) w *= cube[n][j] ? at[j] : 1 - at[j];
+      d[k] = d[k] + w * p[n];
+    }
+  return dot(d[0], cross(d[1], d[2]));
+}
+
+/// The least Bezier coefficient of the determinant over a box in the unit cube: a bound from below of its values.
+inline double bezier_bound(const Hex_corners& p, const std::array<double, 3>& low, double width) {
+  std::array<std::array<std::array<double, 3>, 3>, 3> c;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        c[i][j][k] = jacobian_at(p, {low[0] + width * i / 2, low[1] + width * j / 2, low[2] + width * k / 2});
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) c[i][j] = bezier(c[i][j][0], c[i][j][1], c[i][j][2]);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const auto b = bezier(c[i][0][k], c[i][1][k], c[i][2][k]);
+      for (int j = 0; j < 3; ++j) c[i][j][k] = b[j];
+    }
+  double least = 1e300;
+  for (int j = 0; j < 3; ++j)
+    for (int k = 0; k < 3; ++k)
+      for (double x : bezier(c[0][j][k], c[1][j][k], c[2][j][k])) least = std::min(least, x);
+  return least;
+}
+
+inline bool is_positive_in(const Hex_corners& p, const std::array<double, 3>& low, double width, int halvings) {
+  if (bezier_bound(p, low, width) > 0) return true;
+  if (halvings == 0) return false;
+  const double half = width / 2;
+  for (int i = 0; i < 8; ++i)
+    if (!is_positive_in(p, {low[0] + (i & 1) * half, low[1] + (i >> 1 & 1) * half, low[2] + (i >> 2) * half}, half,
+                        halvings - 1))
+      return false;
+  return true;
+}
+
+}  // namespace internal
+
+/// The scaled Jacobian in Verdict's definition: the least of the determinants of the edges at the eight corners and of
+/// the principal axes, each over the product of the lengths. 1 for a brick, not positive where the hexahedron folds.
+inline double scaled_jacobian(const Hex_corners& p) {
+  using namespace internal;
+  double worst = 1;
+  for (int i = 0; i < 8; ++i) {
+    const auto& n = hex_neighbours[i];
+    worst = std::min(worst, scaled_determinant(p[n[0]] - p[i], p[n[1]] - p[i], p[n[2]] - p[i]));
+  }
+  const auto axis = [&](int a, int b, int c, int d, int e, int f, int g, int h) {
+    return (p[a] + p[b] + p[c] + p[d]) - (p[e] + p[f] + p[g] + p[h]);
+  };
+  return std::min(worst, scaled_determinant(axis(1, 2, 5, 6, 0, 3, 4, 7), axis(2, 3, 6, 7, 0, 1, 4, 5),
+                                            axis(4, 5, 6, 7, 0, 1, 2, 3)));
+}
+
+/// The scaled Jacobian of each hexahedron. Complexity: linear.
+inline std::vector<double> scaled_jacobians(const Hex_mesh& mesh) {
+  std::vector<double> result;
+  result.reserve(mesh.hexes.size());
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h) result.push_back(scaled_jacobian(internal::corners_of(mesh, h)));
+  return result;
+}
+
+/// Whether the Jacobian determinant is positive everywhere in a hexahedron, not only in its corners: proved by its Bezier
+/// coefficients, which bound it from below, on ever smaller boxes. False where that does not succeed.
+inline bool is_positive(const Hex_corners& p) {
+  for (int i = 0; i < 8; ++i) {
+    using namespace internal;
+    const auto& n = hex_neighbours[i];
+    if (!(dot(p[n[0]] - p[i], cross(p[n[1]] - p[i], p[n[2]] - p[i])) > 0)) return false;
+  }
+  return internal::is_positive_in(p, {0, 0, 0}, 1, 4);
+}
+
+}  // namespace CCSweep
+
+#endif

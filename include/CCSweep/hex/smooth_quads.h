@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_HEX_SMOOTH_QUADS_H
+#define CCSWEEP_HEX_SMOOTH_QUADS_H
+
+#include <CCSweep/hex/Quad_region.h>
+#include <CCSweep/hex/quad_quality.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace CCSweep {
+namespace internal {
+
+/// Moves the inner nodes of a quad mesh, one after another, where that makes the worst quad around them better.
+class Quad_smoother {
+ public:
+  Quad_smoother(Quad_mesh& mesh, std::size_t fixed) : mesh_(mesh), fixed_(fixed), quads_of_(mesh.points.size()) {
+    for (std::uint32_t q = 0; q < mesh.quads.size(); ++q)
+      for (std::uint32_t n : mesh.quads[q]) quads_of_[n].push_back(q);
+  }
+
+  void run() {
+    constexpr int rounds = 30, searches = 15;
+    for (int i = 0; i < rounds; ++i)
+      for (std::size_t n = fixed_; n < mesh_.points.size(); ++n) relax(n);
+    for (int i = 0; i < searches; ++i)
+      for (std::size_t n = fixed_; n < mesh_.points.size(); ++n)
+        if (quality_around(n) < good) search(n);
+  }
+
+ private:
+  static constexpr double good = 0.6;
+
+  double quality_around(std::size_t n) const {
+    double worst = 1;
+    for (std::uint32_t q : quads_of_[n]) {
+      const auto& [a, b, c, d] = mesh_.quads[q];
+      worst = std::min(worst, quad_shape(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]));
+    }
+    return worst;
+  }
+
+  // To the mean of the neighbours, if no good angle is lost for it.
+  void relax(std::size_t n) {
+    Point2 sum{};
+    for (std::uint32_t q : quads_of_[n]) {
+      const auto& quad = mesh_.quads[q];
+      const std::size_t i = std::find(quad.begin(), quad.end(), n) - quad.begin();
+      for (std::size_t k : {(i + 1) % 4, (i + 3) % 4})
+        for (int x : {0, 1}) sum[x] += mesh_.points[quad[k]][x];
+    }
+    const double count = 2.0 * static_cast<double>(quads_of_[n].size());
+    try_place(n, {sum[0] / count, sum[1] / count}, std::min(quality_around(n), good));
+  }
+
+  // Looks about for a better place, in smaller and smaller steps.
+  void search(std::size_t n) {
+    double step = 0;
+    for (std::uint32_t q : quads_of_[n])
+      step = std::max(step, length_between(mesh_.points[mesh_.quads[q][0]], mesh_.points[mesh_.quads[q][2]]));
+    for (step /= 3; quads_of_[n].size() > 0 && step > 0; step /= 2) {
+      bool moved = false;
+      for (int i = 0; i < 8; ++i) {
+        const double angle = i * std::numbers::pi / 4, before = quality_around(n);
+        const Point2 p = mesh_.points[n];
+        moved |= try_place(n, {p[0] + step * std::cos(angle), p[1] + step * std::sin(angle)}, before + 1e-6);
+      }
+      if (!moved && (least_step_ *= 0.5) < 0.02) break;
+    }
+    least_step_ = 1;
+  }
+
+  bool try_place(std::size_t n, const Point2& p, double wanted) {
+    const Point2 old = mesh_.points[n];
+    mesh_.points[n] = p;
+    if (quality_around(n) >= wanted) return true;
+    mesh_.points[n] = old;
+    return false;
+  }
+
+  Quad_mesh& mesh_;
+  std::size_t fixed_;
+  std::vector<std::vector<std::uint32_t>> quads_of_;
+  double least_step_ = 1;
+};
+
+}  // namespace internal
+
+/// Smooths a quad mesh whose first `fixed` nodes stay where they are: each of the others moves to the mean of its
+/// neighbours where no angle suffers, and where angles are bad, to the best place near by.
+/// Complexity: linear in the quads.
+inline void smooth_quads(Quad_mesh& mesh, std::size_t fixed) { internal::Quad_smoother(mesh, fixed).run(); }
+
+}  // namespace CCSweep
+
+#endif
