@@ -53,10 +53,11 @@ class Overlay_pieces {
       find_twins();
       find_splits();
       if (splits_.empty()) return;
-      if (round_ == maximal_rounds) {
+      if (round_ == maximal_rounds || (round_ > 0 && forest_.size() > maximal_growth * first_size_)) {
         fail_imprint(nodes_, splits_.front().node, "crossings keep moving under rounding; use an exact kernel");
       }
       if (!apply_splits()) return;
+      if (round_ == 0) first_size_ = forest_.size();
       descend();
     }
   }
@@ -66,6 +67,7 @@ class Overlay_pieces {
 
  private:
   static constexpr int maximal_rounds = 30;
+  static constexpr std::size_t maximal_growth = 8;  // of the number of pieces, after the first round
   static constexpr std::uint32_t none = Piece::none;
 
   struct Split {
@@ -376,6 +378,7 @@ class Overlay_pieces {
   std::vector<char> crosses_;  // per near pair
   double rounding_;
   int round_ = 0;
+  std::size_t first_size_ = 0;  // the number of pieces after the first round
   std::vector<Split> splits_;
   std::vector<bool> is_known_;
 };
