@@ -19,8 +19,8 @@
 
 namespace CCSweep::internal {
 
-/// Carries a plane quad mesh to the layers of a cell: by the affine map that fits its outline on the layer best, and the
-/// residuals of the outline's nodes, which spread into the mesh harmonically. The harmonic spread bends nothing over
+/// Carries a plane quad mesh to the layers of a cell: by the affine map that fits its outline on the layer best, and
+/// the residuals of the outline's nodes, which spread into the mesh harmonically. The harmonic spread bends nothing over
 /// that the outline does not, where weights by distance may.
 class Quad_carrier {
  public:

@@ -33,12 +33,16 @@ class Coarse_triangulation {
 
   Coarse_triangulation(const Quad_region& region, double size) : size_(2 * size) {
     std::uint32_t first = 0;
+    std::map<Point2, std::uint32_t> node_at;  // an outline may touch itself in a node, which then is one
     for (const auto& loop : region.loops) {
       const auto n = static_cast<std::uint32_t>(loop.nodes.size());
       for (std::uint32_t i = 0; i < n; i += 2) {
-        edges_.push_back({first + i, first + (i + 2) % n});
-        ends_.push_back({loop.nodes[i], loop.nodes[(i + 2) % n]});
-        middle_[{first + i, first + (i + 2) % n}] = first + i + 1;
+        const std::uint32_t j = (i + 2) % n;
+        const std::uint32_t a = node_at.try_emplace(loop.nodes[i], first + i).first->second;
+        const std::uint32_t b = node_at.try_emplace(loop.nodes[j], first + j).first->second;
+        edges_.push_back({a, b});
+        ends_.push_back({loop.nodes[i], loop.nodes[j]});
+        middle_[{a, b}] = first + i + 1;
       }
       points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
       first += n;
@@ -72,6 +76,9 @@ class Coarse_triangulation {
       if (const auto found = middle_.find(edge); found != middle_.end()) return points[found->second];
     return points[b];
   }
+
+  /// The nodes that were left out, between the ends of the edges on the loops, which have the region on their left.
+  const std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>& middles() const { return middle_; }
 
   std::vector<Point2> points;        ///< the region's nodes, then the points inside
   std::vector<Triangle> triangles;   ///< counter-clockwise

@@ -24,7 +24,7 @@ struct Hex_mesh {
   };
 
   std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 8>> hexes;  ///< nodes in VTK's order: the bottom quad, then the top quad above it
+  std::vector<std::array<std::uint32_t, 8>> hexes;  ///< nodes in VTK's order: the bottom quad, then the top one
   std::vector<int> volume;                          ///< by hexahedron: index of the sub-volume
   std::vector<int> targets;                         ///< by sub-volume: id of its target patch
   std::vector<Boundary_quad> boundary;

@@ -10,8 +10,8 @@
 
 namespace CCSweep {
 
-/// A region of the plane to be meshed with quadrilaterals: one outer loop that turns counter-clockwise and any number of
-/// inner loops that turn clockwise. The nodes on the loops are given and stay; their number must be even.
+/// A region of the plane to be meshed with quadrilaterals: one outer loop that turns counter-clockwise and any number
+/// of inner loops that turn clockwise. The nodes on the loops are given and stay; their number must be even.
 struct Quad_region {
   using Point = std::array<double, 2>;
   struct Loop {

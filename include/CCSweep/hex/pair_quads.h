@@ -69,14 +69,9 @@ inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Coarse_trian
 /// those are the nodes that the coarse cells left out.
 class Midpoint_subdivision {
  public:
-  Midpoint_subdivision(const Quad_region& region, std::vector<Point2> points) {
-    mesh_.points = std::move(points);
-    std::uint32_t first = 0;
-    for (const auto& loop : region.loops) {
-      const auto n = static_cast<std::uint32_t>(loop.nodes.size());
-      for (std::uint32_t i = 0; i < n; i += 2) middle_[std::minmax(first + i, first + (i + 2) % n)] = first + i + 1;
-      first += n;
-    }
+  explicit Midpoint_subdivision(const Coarse_triangulation& coarse) {
+    mesh_.points = coarse.points;
+    for (const auto& [edge, node] : coarse.middles()) middle_[std::minmax(edge.first, edge.second)] = node;
   }
 
   Quad_mesh run(const std::vector<std::vector<std::uint32_t>>& cells) {
@@ -120,7 +115,7 @@ inline std::optional<Quad_mesh> pair_quads(const Quad_region& region, double siz
   internal::Coarse_triangulation coarse(region, size);
   if (!coarse.run()) return std::nullopt;
   const auto cells = internal::pair_triangles(coarse);
-  return internal::Midpoint_subdivision(region, coarse.points).run(cells);
+  return internal::Midpoint_subdivision(coarse).run(cells);
 }
 
 }  // namespace CCSweep

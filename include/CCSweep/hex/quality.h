@@ -111,8 +111,8 @@ inline std::vector<double> scaled_jacobians(const Hex_mesh& mesh) {
   return result;
 }
 
-/// Whether the Jacobian determinant is positive everywhere in a hexahedron, not only in its corners: proved by its Bezier
-/// coefficients, which bound it from below, on ever smaller boxes. False where that does not succeed.
+/// Whether the Jacobian determinant is positive everywhere in a hexahedron, not only in its corners: proved by its
+/// Bezier coefficients, which bound it from below, on ever smaller boxes. False where that does not succeed.
 inline bool is_positive(const Hex_corners& p) {
   for (int i = 0; i < 8; ++i) {
     using namespace internal;
