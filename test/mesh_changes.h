@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "split_edges.h"
+
 // Changes of a part that must change its decomposition in a known way.
 namespace mesh_changes {
 
@@ -138,27 +140,9 @@ inline Soup with_split_facets(const Soup& soup) {
 
 /// Each edge in two, each facet in four.
 inline Soup with_split_edges(const Soup& soup) {
-  Soup result;
-  result.points = soup.points;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
-  auto middle = [&](std::size_t a, std::size_t b) {
-    const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), result.points.size());
-    if (is_new) {
-      Coordinates m;
-      for (int k = 0; k < 3; ++k) m[k] = (soup.points[a][k] + soup.points[b][k]) / 2;
-      result.points.push_back(m);
-    }
-    return found->second;
-  };
-  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    const auto [a, b, c] = soup.triangles[i];
-    const std::size_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    for (const Facet& t : {Facet{a, ab, ca}, Facet{ab, b, bc}, Facet{ca, bc, c}, Facet{ab, bc, ca}}) {
-      result.triangles.push_back(t);
-      result.patch.push_back(soup.patch[i]);
-    }
-  }
-  return result;
+  return split_edges::once(soup, [](const Coordinates& p, const Coordinates& q) {
+    return std::optional(split_edges::middle(p, q));
+  });
 }
 
 /// About half of a patch gets another id, so that both are in one piece; nothing where the patch is a single facet or

@@ -150,13 +150,18 @@ inline std::optional<Part> build(const Plan& plan) {
   if (!part) return std::nullopt;
   std::map<int, solid::Kernel::FT> volume;
   solid::Kernel::FT total = 0;
-  for (std::size_t cell = 1; cell < columns.number_of_cells(); ++cell)
-    for (const solid::Column& c : columns.of(static_cast<int>(cell))) {
-      const solid::Kernel::FT v = columns.area(static_cast<int>(cell)) *
-                                  (solid::Kernel::FT(columns.heights()[c.high]) - columns.heights()[c.low]);
+  for (auto f : columns.overlay().finite_face_handles())
+    for (const solid::Column& c : columns.of(f->info())) {
+      const double low = columns.heights()[c.low], high = columns.heights()[c.high];
+      const solid::Kernel::FT v = columns.area(f->info()) * (solid::Kernel::FT(high) - low);
       volume.try_emplace(c.low_patch, 0).first->second += v;  // a lazy number made without a value is not zero
       total += v;
       part->sources.insert(c.high_patch);
+      part->prisms.push_back({{}, low, high, c.low_patch});
+      for (int i = 0; i < 3; ++i) {
+        const solid::Point& p = f->vertex(i)->point();
+        part->prisms.back().base[i] = {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+      }
     }
   part->volume = CGAL::to_double(total);
   for (const auto& [target, v] : volume) part->sub_volumes[target] = CGAL::to_double(v);

@@ -53,6 +53,13 @@ struct Plan {
   std::vector<Window> windows;
 };
 
+/// Material over a triangle of the plane, of one sub-volume.
+struct Prism {
+  std::array<std::array<double, 2>, 3> base;
+  double low = 0, high = 0;
+  int target = -1;
+};
+
 /// A part as a triangle mesh, with its known answer for a sweep along +z.
 struct Part {
   std::vector<std::array<double, 3>> points;
@@ -61,6 +68,7 @@ struct Part {
 
   double volume = 0;
   std::map<int, double> sub_volumes;  ///< by target patch
+  std::vector<Prism> prisms;          ///< of which the sub-volumes are made
   std::set<int> sources;
   std::set<int> curved;  ///< the patches that are not flat
   std::size_t sets = 0;
