@@ -73,16 +73,6 @@ Soup once(const Soup& soup, const Node_on& node_on) {
   return result;
 }
 
-/// The same again and again, until no edge is split any more.
-template <class Soup, class Node_on>
-Soup until_done(Soup soup, const Node_on& node_on) {
-  for (;;) {
-    Soup finer = once(soup, node_on);
-    if (finer.points.size() == soup.points.size()) return soup;
-    soup = std::move(finer);
-  }
-}
-
 }  // namespace split_edges
 
 #endif

@@ -15,13 +15,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CCSweep {
 namespace internal {
 
-// Caps that touch each other along a curve stand on one level.
+// Caps that touch each other, along a curve or in a point, stand on one level.
 struct Cap_group {
   std::vector<Patch_index> caps;
   double height = 0;  // mean over the area, along the sweep direction
@@ -39,11 +40,14 @@ std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) 
   const auto& mesh = part.mesh;
   Union_find sets(part.number_of_patches());
   auto is_cap = [&](std::size_t p) { return roles.of_patch[p] != Role::linking; };
-  for (auto e : mesh.edges()) {
-    if (!part.feature[e]) continue;
-    const auto h = mesh.halfedge(e);
-    const std::size_t p = part.patch(mesh.face(h)).value(), q = part.patch(mesh.face(mesh.opposite(h))).value();
-    if (is_cap(p) && is_cap(q)) sets.join(p, q);
+  for (auto v : mesh.vertices()) {
+    std::optional<std::size_t> first;
+    for (auto f : mesh.faces_around_target(mesh.halfedge(v))) {
+      const std::size_t p = part.patch(f).value();
+      if (!is_cap(p)) continue;
+      if (first) sets.join(*first, p);
+      first = p;
+    }
   }
   std::vector<Cap_group> groups;
   std::vector<std::size_t> group_of(part.number_of_patches());

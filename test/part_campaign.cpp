@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Random parts of every family in every shape, checked against how they were made. CCSWEEP_CAMPAIGN says how many, a
+// sample if it is not set. What fails is written to part_failure_*.ply, which `ccsweep` reads.
+#include <CCSweep/IO/read_part.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iomanip>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "curved_parts.h"
+#include "decompose_runs.h"
+
+namespace {
+
+using namespace curved_parts;
+using namespace decompose_runs;
+using random_parts::Family;
+
+constexpr std::size_t sample = 168;
+constexpr std::size_t campaign = 1000;  // fewer can't tell a percentage
+
+std::size_t number_of_parts() {
+  const char* const number = std::getenv("CCSWEEP_CAMPAIGN");
+  return number == nullptr ? sample : std::strtoul(number, nullptr, 10);
+}
+
+// Where the layers are flat and stay what they were, so do the volumes; elsewhere they depend on how a cut is carried
+// between bent walls.
+bool is_straight(Shape shape) {
+  return shape == Shape::straight || shape == Shape::placed || shape == Shape::slender || shape == Shape::faceted;
+}
+
+// Where the caps bend or the sweep does, levels that were equal need not be, and a set may reach another corner.
+bool has_known_sets(Shape shape) { return is_straight(shape) || shape == Shape::leaning || shape == Shape::tapered; }
+
+struct Trial {
+  Shape shape;
+  std::size_t family;
+  std::uint32_t seed;
+  std::string name() const {
+    return std::string(curved_parts::name(shape)) + "_" + std::to_string(family) + "_" + std::to_string(seed);
+  }
+};
+
+// Families change faster than shapes, so that a sample meets all of both.
+Trial trial(std::size_t i) {
+  const std::size_t n = random_parts::all_families.size();
+  return {shapes[i / n % shapes.size()], i % n, static_cast<std::uint32_t>(i / n / shapes.size())};
+}
+
+Outcome run(const Swept_part& swept, const Mesh& mesh) {
+  std::vector<int> targets;
+  for (const auto& [target, volume] : swept.part.sub_volumes) targets.push_back(target);
+  return decompose(mesh, {swept.direction, {}, targets});
+}
+
+// What is wrong with a result that was reported as a success; nothing if it is right.
+std::string defect(const Trial& trial, const Swept_part& swept, const Mesh& mesh, const Decomposition& found) {
+  const Part& part = swept.part;
+  const double tolerance = is_straight(trial.shape) && trial.shape != Shape::faceted ? 1e-8 : 0.03;
+  const Answer answer = decompose_runs::answer(found);
+  std::ostringstream text;
+  if (found.volumes.size() != part.sub_volumes.size())
+    text << found.volumes.size() << " sub-volumes instead of " << part.sub_volumes.size() << "; ";
+  if (has_known_sets(trial.shape) && found.sets.size() != part.sets)
+    text << found.sets.size() << " sets instead of " << part.sets << "; ";
+  for (const auto& [target, expected] : part.sub_volumes) {
+    const auto known = answer.volumes.find(target);
+    if (known == answer.volumes.end() || std::abs(known->second - expected) > tolerance * part.volume)
+      text << "not the volume of target " << target << "; ";
+  }
+  for (const auto& [id, role] : answer.roles)
+    if ((role == CCSweep::Role::source) != (part.sources.count(id) > 0)) text << "role of patch " << id << "; ";
+  const double whole = volume(mesh);
+  if (std::abs(total(answer.volumes) - whole) > 1e-8 * whole) text << "the volumes do not add up; ";
+  return text.str();
+}
+
+class Table {
+ public:
+  void add(const Trial& trial, const std::string& status) { ++counts_[trial.shape][status]; }
+
+  double share(bool straight, const std::string& status) const {
+    std::size_t found = 0, all = 0;
+    for (const auto& [shape, counts] : counts_)
+      for (const auto& [s, n] : counts)
+        if (is_straight(shape) == straight) {
+          all += n;
+          found += s == status ? n : 0;
+        }
+    return all == 0 ? 1 : double(found) / double(all);
+  }
+
+  std::string text() const {
+    std::ostringstream out;
+    for (const auto& [shape, counts] : counts_) {
+      out << std::left << std::setw(10) << name(shape);
+      for (const auto& [status, n] : counts) out << "  " << status << ' ' << n;
+      out << '\n';
+    }
+    return out.str();
+  }
+
+ private:
+  std::map<Shape, std::map<std::string, std::size_t>> counts_;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(part_campaign)
+
+BOOST_AUTO_TEST_CASE(random_parts_of_all_families_and_shapes) {
+  Table table;
+  for (std::size_t i = 0; i < number_of_parts(); ++i) {
+    const Trial t = trial(i);
+    const Swept_part swept = make(t.shape, random_parts::all_families[t.family], t.seed);
+    const Mesh mesh = random_parts::mesh<Kernel::Point_3>(swept.part);
+    const Outcome outcome = run(swept, mesh);
+    const std::string file = "part_failure_" + t.name() + ".ply";
+    if (!outcome.ok()) {
+      table.add(t, CCSweep::name(outcome.status().code));
+      random_parts::write_ply(swept.part, file);
+      BOOST_TEST_MESSAGE(t.name() << ": " << outcome.status().reason);
+      continue;
+    }
+    const std::string wrong = defect(t, swept, mesh, outcome.value());
+    table.add(t, wrong.empty() ? "decomposed" : "wrong");
+    if (wrong.empty()) continue;
+    random_parts::write_ply(swept.part, file);
+    BOOST_ERROR(t.name() << ": " << wrong << "see " << file);
+  }
+  BOOST_TEST_MESSAGE(table.text());
+  BOOST_TEST(table.share(true, "decomposed") >= 0.99, table.text());
+  if (number_of_parts() >= campaign) BOOST_TEST(table.share(false, "decomposed") >= 0.95, table.text());
+}
+
+// The generator is an oracle, so its parts must be sound, and what it says of them must fit.
+BOOST_AUTO_TEST_CASE(parts_are_closed_and_their_volumes_are_those_of_the_columns) {
+  for (Shape shape : shapes)
+    for (std::size_t f = 0; f < random_parts::all_families.size(); ++f) {
+      const Trial t{shape, f, 1};
+      const Swept_part swept = make(shape, random_parts::all_families[f], t.seed);
+      const Mesh mesh = random_parts::mesh<Kernel::Point_3>(swept.part);
+      BOOST_TEST_CONTEXT(t.name()) {
+        BOOST_TEST(mesh.number_of_faces() == swept.part.triangles.size());
+        BOOST_TEST(CGAL::is_closed(mesh));
+        BOOST_TEST(!CGAL::Polygon_mesh_processing::does_self_intersect(mesh));
+        BOOST_TEST(std::abs(volume(mesh) / swept.part.volume - 1) < 0.03);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_part_that_was_written_is_read_again) {
+  const Swept_part swept = make(Shape::twisted, Family::grids, 2);
+  const std::string file = (std::filesystem::temp_directory_path() / "ccsweep_part_campaign.ply").string();
+  BOOST_TEST_REQUIRE(random_parts::write_ply(swept.part, file));
+  const auto again = CCSweep::read_part<Kernel::Point_3>(file);
+  std::filesystem::remove(file);
+  BOOST_TEST_REQUIRE(again.ok());
+  const Soup soup = mesh_changes::soup(again.value().mesh);
+  BOOST_TEST((soup.points == swept.part.points));
+  BOOST_TEST((soup.patch == swept.part.patch));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
