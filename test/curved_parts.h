@@ -3,7 +3,8 @@
 #ifndef CCSWEEP_TEST_CURVED_PARTS_H
 #define CCSWEEP_TEST_CURVED_PARTS_H
 
-#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
@@ -251,7 +252,7 @@ inline Part faceted(std::uint32_t seed) {
   plan.top = 8;
   for (double x : {6., 18.})
     for (double y : {6., 18.}) {
-      const Circle c{x + pick(3) - 1, y + pick(3) - 1, 2 + pick(5) / 2., 24 + 4 * pick(11), pick(8) / 8., pick(2) > 0};
+      const Circle c{x + pick(3) - 1, y + pick(3) - 1, 2 + pick(5) / 2., 24 + 4 * pick(11), pick(5) / 8., pick(2) > 0};
       random_parts::Outline outline;
       for (int k = 0; k < c.nodes; ++k)
         outline.push_back({c.x + c.radius * std::cos(2 * pi * k / c.nodes),
@@ -286,12 +287,25 @@ inline Part faceted(std::uint32_t seed) {
   });
 }
 
+/// Facets that stand for a curve may cut into each other where features are close.
+inline bool is_sound(const Part& part) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  return !CGAL::Polygon_mesh_processing::does_self_intersect(random_parts::mesh<Point>(part));
+}
+
+/// The part of a shape, family and seed: the first sound one from there on.
 inline Swept_part make(Shape shape, random_parts::Family family, std::uint32_t seed) {
-  if (shape == Shape::faceted) return {faceted(16 * seed + static_cast<std::uint32_t>(family))};
-  const Map map = Map_maker(seed).make(shape);
-  Part part = random_parts::make(family, seed);
-  if (shape == Shape::straight) return {std::move(part)};
-  return mapped(std::move(part), map);
+  constexpr std::uint32_t step = 1000003;
+  for (;; seed += step) {
+    Swept_part swept;
+    if (shape == Shape::faceted)
+      swept.part = faceted(16 * seed + static_cast<std::uint32_t>(family));
+    else
+      swept.part = random_parts::make(family, seed);
+    if (shape != Shape::faceted && shape != Shape::straight)
+      swept = mapped(std::move(swept.part), Map_maker(seed).make(shape));
+    if (is_sound(swept.part)) return swept;
+  }
 }
 
 }  // namespace curved_parts

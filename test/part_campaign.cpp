@@ -5,8 +5,6 @@
 // sample if it is not set. What fails is written to part_failure_*.ply, which `ccsweep` reads.
 #include <CCSweep/IO/read_part.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -27,7 +25,7 @@ using namespace curved_parts;
 using namespace decompose_runs;
 using random_parts::Family;
 
-constexpr std::size_t sample = 168;
+constexpr std::size_t sample = 180;
 constexpr std::size_t campaign = 1000;  // fewer can't tell a percentage
 
 std::size_t number_of_parts() {
@@ -126,6 +124,9 @@ BOOST_AUTO_TEST_CASE(random_parts_of_all_families_and_shapes) {
     const Trial t = trial(i);
     const Swept_part swept = make(t.shape, random_parts::all_families[t.family], t.seed);
     const Mesh mesh = random_parts::mesh<Kernel::Point_3>(swept.part);
+    // The generator is an oracle, so its parts must be sound, and what it says of them must fit.
+    BOOST_TEST((mesh.number_of_faces() == swept.part.triangles.size() && CGAL::is_closed(mesh)), t.name());
+    BOOST_TEST(std::abs(volume(mesh) / swept.part.volume - 1) < 0.03, t.name());
     const Outcome outcome = run(swept, mesh);
     const std::string file = "part_failure_" + t.name() + ".ply";
     if (!outcome.ok()) {
@@ -145,19 +146,20 @@ BOOST_AUTO_TEST_CASE(random_parts_of_all_families_and_shapes) {
   if (number_of_parts() >= campaign) BOOST_TEST(table.share(false, "decomposed") >= 0.95, table.text());
 }
 
-// The generator is an oracle, so its parts must be sound, and what it says of them must fit.
-BOOST_AUTO_TEST_CASE(parts_are_closed_and_their_volumes_are_those_of_the_columns) {
-  for (Shape shape : shapes)
-    for (std::size_t f = 0; f < random_parts::all_families.size(); ++f) {
-      const Trial t{shape, f, 1};
-      const Swept_part swept = make(shape, random_parts::all_families[f], t.seed);
+// Each of them failed once, for a reason of its own.
+BOOST_AUTO_TEST_CASE(parts_that_failed) {
+  for (const Trial& t : {
+           Trial{Shape::slanted, 0, 6},  // caps that meet in a point only
+           Trial{Shape::saddle, 9, 0},   // levels all but on top of each other
+           Trial{Shape::slanted, 5, 1},  // a low step beside long walls whose lengths differ by more
+           Trial{Shape::fan, 0, 3},      // bent so little that it passes for straight
+       })
+    BOOST_TEST_CONTEXT(t.name()) {
+      const Swept_part swept = make(t.shape, random_parts::all_families[t.family], t.seed);
       const Mesh mesh = random_parts::mesh<Kernel::Point_3>(swept.part);
-      BOOST_TEST_CONTEXT(t.name()) {
-        BOOST_TEST(mesh.number_of_faces() == swept.part.triangles.size());
-        BOOST_TEST(CGAL::is_closed(mesh));
-        BOOST_TEST(!CGAL::Polygon_mesh_processing::does_self_intersect(mesh));
-        BOOST_TEST(std::abs(volume(mesh) / swept.part.volume - 1) < 0.03);
-      }
+      const Outcome outcome = run(swept, mesh);
+      expect_ok(outcome);
+      if (outcome.ok()) BOOST_TEST(defect(t, swept, mesh, outcome.value()) == "");
     }
 }
 
@@ -169,8 +171,12 @@ BOOST_AUTO_TEST_CASE(a_part_that_was_written_is_read_again) {
   std::filesystem::remove(file);
   BOOST_TEST_REQUIRE(again.ok());
   const Soup soup = mesh_changes::soup(again.value().mesh);
-  BOOST_TEST((soup.points == swept.part.points));
-  BOOST_TEST((soup.patch == swept.part.patch));
+  auto sorted = [](auto values) {
+    std::sort(values.begin(), values.end());
+    return values;
+  };
+  BOOST_TEST((sorted(soup.points) == sorted(swept.part.points)));
+  BOOST_TEST((sorted(soup.patch) == sorted(swept.part.patch)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

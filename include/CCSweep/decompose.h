@@ -50,23 +50,15 @@ class Decomposer {
   Result_type run() {
     const std::vector<Roles> candidates =
         run_(Stage::roles, [&] { return assign_roles(part_, options_.roles); });
-    std::optional<Status> first_failure;
-    std::vector<std::string> notes;
-    for (std::size_t i = 0; i < candidates.size();) {
-      // Candidates with equally many targets compete by their decomposition sets.
-      std::size_t j = i + 1;
-      if (targets(candidates[i]) > 1)
-        while (j < candidates.size() && candidates[j].is_steep == candidates[i].is_steep &&
-               targets(candidates[j]) == targets(candidates[i]))
-          ++j;
-      if (auto best = best_of(candidates, i, j, first_failure, notes)) {
-        best->notes.insert(best->notes.begin(), notes.begin(), notes.end());
-        best->seconds = run_.seconds();
-        return std::move(*best);
-      }
-      i = j;
-    }
-    throw Failure{candidates.front().is_straight() ? *first_failure : refusal(candidates.front(), *first_failure)};
+    std::optional<Result_type> best = first_success(candidates);
+    if (!best && candidates.front().is_straight())
+      best = first_success(run_(Stage::roles, [&] { return assign_bent_roles(part_, options_.roles); }));
+    if (!best)
+      throw Failure{candidates.front().is_straight() ? *first_failure_
+                                                     : refusal(candidates.front(), *first_failure_)};
+    best->notes.insert(best->notes.begin(), notes_.begin(), notes_.end());
+    best->seconds = run_.seconds();
+    return std::move(*best);
   }
 
  private:
@@ -74,8 +66,21 @@ class Decomposer {
     return std::count(roles.of_patch.begin(), roles.of_patch.end(), Role::target);
   }
 
-  std::optional<Result_type> best_of(const std::vector<Roles>& candidates, std::size_t first, std::size_t last,
-                                     std::optional<Status>& first_failure, std::vector<std::string>& notes) {
+  std::optional<Result_type> first_success(const std::vector<Roles>& candidates) {
+    for (std::size_t i = 0; i < candidates.size();) {
+      // Candidates with equally many targets compete by their decomposition sets.
+      std::size_t j = i + 1;
+      if (targets(candidates[i]) > 1)
+        while (j < candidates.size() && candidates[j].is_steep == candidates[i].is_steep &&
+               targets(candidates[j]) == targets(candidates[i]))
+          ++j;
+      if (auto best = best_of(candidates, i, j)) return best;
+      i = j;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Result_type> best_of(const std::vector<Roles>& candidates, std::size_t first, std::size_t last) {
     std::optional<Result_type> best;
     for (std::size_t i = first; i < last; ++i) {
       Result<Result_type> attempt = attempt_refined(candidates[i]);
@@ -86,8 +91,8 @@ class Decomposer {
       const Status status = attempt.status();
       if (status.code == Status_code::cancelled || status.code == Status_code::invalid_parameter)
         throw Failure{status};
-      notes.push_back("along " + text(candidates[i].direction) + ": " + status.reason);
-      if (!first_failure) first_failure = status;
+      notes_.push_back("along " + text(candidates[i].direction) + ": " + status.reason);
+      if (!first_failure_) first_failure_ = status;
     }
     return best;
   }
@@ -140,6 +145,8 @@ class Decomposer {
   const Options& options_;
   Visitor& visitor_;
   Stage_runner<Visitor> run_;
+  std::optional<Status> first_failure_;
+  std::vector<std::string> notes_;  // of what was tried before
 };
 
 }  // namespace internal

@@ -27,6 +27,7 @@ struct Cap_group {
   std::vector<Patch_index> caps;
   double height = 0;  // mean over the area, along the sweep direction
   bool flat = true;   // all in one plane across the sweep
+  double least_rise = 0;  // of the curves from here to other groups, where the height follows from them
 };
 
 // Two heights closer than this are one: what rounding in a rotated or far away part leaves.
@@ -190,7 +191,12 @@ void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_g
   };
   const auto curves = roles.is_straight() ? rising_curves(part, roles, group_of_patch)
                                           : rising_paths(part, roles, group_of_patch);
-  for (const Rising_curve& c : curves) add(c.low, c.high, c.distance, 1);
+  for (const Rising_curve& c : curves) {
+    const double relative = part.diagonal / c.distance;  // long curves differ by more, and must not reverse a short one
+    add(c.low, c.high, c.distance, relative * relative);
+    for (Cap_group* group : {&groups[c.low], &groups[c.high]})
+      group->least_rise = group->least_rise == 0 ? c.distance : std::min(group->least_rise, c.distance);
+  }
   for (std::size_t g = 0; g < groups.size(); ++g)
     add(static_cast<int>(g), -1, -groups[g].height, groups[g].flat ? 1e-3 : 1e-6);
   const Eigen::VectorXd heights = m.ldlt().solve(right);
@@ -202,13 +208,17 @@ void rank_levels(const Part<Traits>& part, std::vector<Cap_group>& groups, Layer
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Cap_group& a, const Cap_group& b) { return a.height < b.height; });
   layering.level_of_patch.assign(part.number_of_patches(), Level_index());
-  const Cap_group* last = nullptr;
+  // Heights that were fitted are not known to the last digit, and layers all but on top of each other would make
+  // slivers; but no curve may lead from a level to itself.
+  constexpr double share = 0.1;
+  const Cap_group* first = nullptr;  // of the level
   for (const Cap_group& group : groups) {
-    if (!last || group.height - last->height > height_resolution(part)) {
+    if (!first || group.height - first->height >
+                      std::max(height_resolution(part), share * std::min(group.least_rise, first->least_rise))) {
       layering.caps.emplace_back();
       layering.layers.push_back(group.height);
+      first = &group;
     }
-    last = &group;
     for (Patch_index p : group.caps) {
       layering.caps.back().push_back(p);
       layering.level_of_patch[p.value()] = Level_index(layering.caps.size() - 1);

@@ -232,6 +232,20 @@ std::vector<Axis_trial> try_bent_sweeps(const Part<Traits>& part, const Role_req
   return sweepable;
 }
 
+// The roles of all trials, best first.
+template <class Traits>
+std::vector<Roles> ranked(const Part<Traits>& part, std::vector<Axis_trial> trials) {
+  // Areas that differ by rounding only must not decide before the patch ids do.
+  const double unit_area = 1e-9 * part.diagonal * part.diagonal;
+  std::stable_sort(trials.begin(), trials.end(), [&](const Axis_trial& a, const Axis_trial& b) {
+    return std::tuple(a.roles.is_steep, a.targets, std::llround(a.target_area / unit_area), a.lowest_target) <
+           std::tuple(b.roles.is_steep, b.targets, std::llround(b.target_area / unit_area), b.lowest_target);
+  });
+  std::vector<Roles> result;
+  for (Axis_trial& trial : trials) result.push_back(std::move(trial.roles));
+  return result;
+}
+
 [[noreturn]] inline void refuse(const Axis_trial& best) {
   std::set<int> patches;
   std::ostringstream reason;
@@ -278,16 +292,15 @@ Result<std::vector<Roles>> assign_roles(const Part<Traits>& part, const Role_req
                std::tuple(b.objectionable_area, b.objections.size());
       }));
     }
-    // Areas that differ by rounding only must not decide before the patch ids do.
-    const double unit_area = 1e-9 * part.diagonal * part.diagonal;
-    std::stable_sort(sweepable.begin(), sweepable.end(), [&](const Axis_trial& a, const Axis_trial& b) {
-      return std::tuple(a.roles.is_steep, a.targets, std::llround(a.target_area / unit_area), a.lowest_target) <
-             std::tuple(b.roles.is_steep, b.targets, std::llround(b.target_area / unit_area), b.lowest_target);
-    });
-    std::vector<Roles> result;
-    for (Axis_trial& trial : sweepable) result.push_back(std::move(trial.roles));
-    return result;
+    return ranked(part, std::move(sweepable));
   });
+}
+
+/// The possible roles of sweeps that bend, best first. They are for parts on which every straight sweep fails: one
+/// that bends little passes for straight at first sight. May be empty.
+template <class Traits>
+Result<std::vector<Roles>> assign_bent_roles(const Part<Traits>& part, const Role_request& request) {
+  return internal::guarded([&] { return internal::ranked(part, internal::try_bent_sweeps(part, request)); });
 }
 
 }  // namespace CCSweep
