@@ -64,10 +64,13 @@ Trial trial(std::size_t i) {
   return {shapes[i / n % shapes.size()], i % n, static_cast<std::uint32_t>(i / n / shapes.size())};
 }
 
+// A cap that the bend has turned far may pass for a leaning wall of a straight sweep, and at a U-bend both ends look
+// down: the caps are named.
 Outcome run(const Swept_part& swept, const Mesh& mesh) {
+  const auto& sources = swept.part.sources;
   std::vector<int> targets;
   for (const auto& [target, volume] : swept.part.sub_volumes) targets.push_back(target);
-  return decompose(mesh, {swept.direction, {}, targets});
+  return decompose(mesh, {swept.direction, {sources.begin(), sources.end()}, targets});
 }
 
 // What is wrong with a result that was reported as a success; nothing if it is right.
