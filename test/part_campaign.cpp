@@ -70,7 +70,9 @@ Outcome run(const Swept_part& swept, const Mesh& mesh) {
   const auto& sources = swept.part.sources;
   std::vector<int> targets;
   for (const auto& [target, volume] : swept.part.sub_volumes) targets.push_back(target);
-  return decompose(mesh, {swept.direction, {sources.begin(), sources.end()}, targets});
+  constexpr int layers = 1;
+  constexpr double spanning_angle = 7.5;  // the default of the library
+  return decompose(mesh, {swept.direction, {sources.begin(), sources.end()}, targets, layers, spanning_angle});
 }
 
 // What is wrong with a result that was reported as a success; nothing if it is right.
