@@ -43,8 +43,8 @@ void settle(Layer_nodes<Traits>& nodes) {
   }
 }
 
-// All nodes in the order in which those with equal points are kept: a fixed node before a corner, a corner before
-// another, then the first.
+// The nodes that stand for themselves, in the order in which those with equal points are kept: a fixed node before a
+// corner, a corner before another, then the first.
 template <class Traits>
 std::vector<Node_index> by_rank(const Layer_nodes<Traits>& nodes) {
   std::vector<Node_index> result;
@@ -52,9 +52,9 @@ std::vector<Node_index> by_rank(const Layer_nodes<Traits>& nodes) {
   const auto rank = [&](std::size_t i) {
     return nodes.fixed[i] ? (nodes.corner[i] ? 0 : 1) : (nodes.corner[i] ? 2 : 3);
   };
-  for (int wanted = 0; wanted < 4 && result.size() < nodes.representative.size(); ++wanted) {
+  for (int wanted = 0; wanted < 4; ++wanted) {
     for (std::size_t i = 0; i < nodes.representative.size(); ++i) {
-      if (rank(i) == wanted) result.emplace_back(i);
+      if (nodes.representative[i] == Node_index(i) && rank(i) == wanted) result.emplace_back(i);
     }
   }
   return result;
