@@ -5,6 +5,7 @@
 
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/map_quads.h>
+#include <CCSweep/hex/match_quads.h>
 #include <CCSweep/hex/pair_quads.h>
 #include <CCSweep/hex/quad_quality.h>
 #include <CCSweep/hex/smooth_quads.h>
@@ -24,8 +25,8 @@ inline double worst_quality(const Quad_mesh& mesh) {
   return worst;
 }
 
-/// Meshes a region with quads: structured where it has four sides that agree and that comes out well, else by pairing
-/// triangles. The nodes on its loops are kept.
+/// Meshes a region with quads: structured where it has four sides that agree and that comes out well, else by matching
+/// triangles, or pairing and subdividing them, whichever is better. The nodes on its loops are kept.
 /// \param size the edge length wanted inside
 /// \return nothing where the nodes on the loops are too coarse to outline the region
 inline std::optional<Quad_mesh> mesh_quads(const Quad_region& region, double size) {
@@ -38,10 +39,13 @@ inline std::optional<Quad_mesh> mesh_quads(const Quad_region& region, double siz
     if (worst_quality(*best) < good) smooth_quads(*best, fixed);
     if (worst_quality(*best) >= good) return best;
   }
-  auto paired = pair_quads(region, size);
-  if (!paired) return best;
-  smooth_quads(*paired, fixed);
-  if (!best || worst_quality(*paired) > worst_quality(*best)) best = std::move(paired);
+  for (const auto make : {match_quads, pair_quads}) {
+    auto made = make(region, size);
+    if (!made) continue;
+    smooth_quads(*made, fixed);
+    if (!best || worst_quality(*made) > worst_quality(*best)) best = std::move(made);
+    if (worst_quality(*best) >= good) break;
+  }
   return best;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CCSWEEP_HEX_COARSE_TRIANGULATION_H
-#define CCSWEEP_HEX_COARSE_TRIANGULATION_H
+#ifndef CCSWEEP_HEX_REGION_TRIANGULATION_H
+#define CCSWEEP_HEX_REGION_TRIANGULATION_H
 
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/quad_quality.h>
@@ -10,6 +10,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+#include <boost/geometry/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,34 +27,39 @@
 
 namespace CCSweep::internal {
 
-/// Triangles of twice the size, over every second node of a region's loops and points inside; to be paired and
-/// subdivided.
-class Coarse_triangulation {
+/// Triangles over the nodes of a region's loops and points inside, to be paired to quads; or of twice the size, over
+/// every second node of the loops, to be paired and subdivided.
+class Region_triangulation {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
   struct Edge {
-    std::uint32_t a, b;  // nodes of the region two apart
+    std::uint32_t a, b;  // nodes of the region, neighbours or two apart
   };
 
-  Coarse_triangulation(const Quad_region& region, double size) : size_(2 * size) {
+  /// \param stride 1 for all nodes of the loops, 2 for every second one
+  Region_triangulation(const Quad_region& region, double size, std::uint32_t stride) : size_(stride * size) {
     std::uint32_t first = 0;
     std::map<Point2, std::uint32_t> node_at;  // an outline may touch itself in a node, which then is one
     for (const auto& loop : region.loops) {
       const auto n = static_cast<std::uint32_t>(loop.nodes.size());
-      for (std::uint32_t i = 0; i < n; i += 2) {
-        const std::uint32_t j = (i + 2) % n;
+      for (std::uint32_t i = 0; i < n; i += stride) {
+        const std::uint32_t j = (i + stride) % n;
         const std::uint32_t a = node_at.try_emplace(loop.nodes[i], first + i).first->second;
         const std::uint32_t b = node_at.try_emplace(loop.nodes[j], first + j).first->second;
         edges_.push_back({a, b});
         ends_.push_back({loop.nodes[i], loop.nodes[j]});
-        middle_[{a, b}] = first + i + 1;
+        if (stride == 2) middle_[{a, b}] = first + i + 1;
       }
       points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
       first += n;
     }
+    std::vector<std::pair<Segment, std::size_t>> boxes;
+    for (std::size_t e = 0; e < ends_.size(); ++e)
+      boxes.push_back({{{ends_[e].first[0], ends_[e].first[1]}, {ends_[e].second[0], ends_[e].second[1]}}, e});
+    near_ = decltype(near_)(boxes);
   }
 
-  /// False where the coarse loops cross each other: the boundary needs more nodes.
+  /// False where the loops cross each other: the boundary needs more nodes.
   bool run() {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto a = vertex(edges_[e].a), b = vertex(edges_[e].b);
@@ -92,6 +102,8 @@ class Coarse_triangulation {
           CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>,
       CGAL::No_constraint_intersection_tag>;
   using Handle = Cdt::Vertex_handle;
+  using Plane_point = boost::geometry::model::d2::point_xy<double>;
+  using Segment = boost::geometry::model::segment<Plane_point>;
 
   static Kernel::Point_2 point(const Point2& p) { return {p[0], p[1]}; }
 
@@ -126,10 +138,13 @@ class Coarse_triangulation {
     }
   }
 
-  // The distance from the loops, and the size wanted there: it grows from the boundary's inwards.
+  // The distance from the loops, and the size wanted there: it grows from the boundary's inwards. A few of the nearest
+  // edges tell it.
   std::pair<double, double> distance_and_size(const Point2& p) const {
+    constexpr unsigned few = 12;
     double nearest = 1e300, wanted = size_;
-    for (const auto& [a, b] : ends_) {
+    for (auto at = near_.qbegin(boost::geometry::index::nearest(Plane_point(p[0], p[1]), few)); at != near_.qend(); ++at) {
+      const auto& [a, b] = ends_[at->second];
       const double wx = b[0] - a[0], wy = b[1] - a[1], l2 = wx * wx + wy * wy;
       const double t = std::clamp(((p[0] - a[0]) * wx + (p[1] - a[1]) * wy) / l2, 0.0, 1.0);
       const double d = std::hypot(p[0] - a[0] - t * wx, p[1] - a[1] - t * wy);
@@ -253,6 +268,7 @@ class Coarse_triangulation {
   double size_;
   std::vector<Edge> edges_;
   std::vector<std::pair<Point2, Point2>> ends_;
+  boost::geometry::index::rtree<std::pair<Segment, std::size_t>, boost::geometry::index::quadratic<8>> near_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;  // node between the ends of an edge
   std::vector<Handle> handles_;
   Cdt mesh_;
