@@ -3,14 +3,13 @@
 #ifndef CCSWEEP_HEX_CELL_SWEEPER_H
 #define CCSWEEP_HEX_CELL_SWEEPER_H
 
+#include <CCSweep/hex/Quad_laplacian.h>
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/quality.h>
 #include <CCSweep/part/Part.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,12 +23,11 @@ namespace CCSweep::internal {
 /// that the outline does not, where weights by distance may.
 class Quad_carrier {
  public:
-  Quad_carrier(const Quad_mesh& mesh, std::size_t fixed) : mesh_(mesh), fixed_(fixed) {
+  Quad_carrier(const Quad_mesh& mesh, std::size_t fixed) : mesh_(mesh), fixed_(fixed), spread_(mesh, fixed) {
     for (std::size_t i = 0; i < fixed; ++i) centre_ += place(i) / double(fixed);
     Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
     for (std::size_t i = 0; i < fixed; ++i) moments += (place(i) - centre_) * (place(i) - centre_).transpose();
     inverse_ = moments.inverse();
-    factorise();
   }
 
   /// The inner nodes of the mesh for an outline on a layer.
@@ -45,7 +43,7 @@ class Quad_carrier {
     for (Eigen::Index i = 0; i < n; ++i) points.row(i) -= centre + (place(i) - centre_).transpose() * fit;
     std::vector<Vec3> inner(mesh_.points.size() - fixed_);
     if (inner.empty()) return inner;
-    const Eigen::MatrixXd spread = solver_.solve(to_outline_ * points);
+    const Eigen::MatrixXd spread = spread_(points);
     for (std::size_t i = 0; i < inner.size(); ++i) {
       const Eigen::RowVector3d p = centre + (place(fixed_ + i) - centre_).transpose() * fit + spread.row(i);
       inner[i] = {p[0], p[1], p[2]};
@@ -56,33 +54,11 @@ class Quad_carrier {
  private:
   Eigen::Vector2d place(std::size_t i) const { return {mesh_.points[i][0], mesh_.points[i][1]}; }
 
-  void factorise() {
-    const auto inner = static_cast<Eigen::Index>(mesh_.points.size() - fixed_);
-    std::vector<Eigen::Triplet<double>> among, to_outline;
-    for (const auto& quad : mesh_.quads)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t other : {(k + 1) % 4, (k + 3) % 4}) {
-          if (quad[k] < fixed_) continue;
-          const auto i = static_cast<Eigen::Index>(quad[k] - fixed_);
-          among.emplace_back(i, i, 1);
-          if (quad[other] < fixed_)
-            to_outline.emplace_back(i, quad[other], 1);
-          else
-            among.emplace_back(i, static_cast<Eigen::Index>(quad[other] - fixed_), -1);
-        }
-    Eigen::SparseMatrix<double> matrix(inner, inner);
-    matrix.setFromTriplets(among.begin(), among.end());
-    to_outline_.resize(inner, static_cast<Eigen::Index>(fixed_));
-    to_outline_.setFromTriplets(to_outline.begin(), to_outline.end());
-    if (inner > 0) solver_.compute(matrix);
-  }
-
   const Quad_mesh& mesh_;
   std::size_t fixed_;
   Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
   Eigen::Matrix2d inverse_;
-  Eigen::SparseMatrix<double> to_outline_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  Quad_laplacian spread_;
 };
 
 /// The nodes of a cell, by layer from the bottom up; on each first those of the outline.

@@ -48,6 +48,10 @@ class Region_triangulation {
         const std::uint32_t b = node_at.try_emplace(loop.nodes[j], first + j).first->second;
         edges_.push_back({a, b});
         ends_.push_back({loop.nodes[i], loop.nodes[j]});
+        // A short edge between long ones asks for no small quads around it.
+        const Point2 &before = loop.nodes[(i + n - stride) % n], &after = loop.nodes[(j + stride) % n];
+        length_.push_back(std::max({length_between(loop.nodes[i], loop.nodes[j]), length_between(before, loop.nodes[i]),
+                                    length_between(loop.nodes[j], after)}));
         if (stride == 2) middle_[{a, b}] = first + i + 1;
       }
       points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
@@ -149,7 +153,7 @@ class Region_triangulation {
       const double t = std::clamp(((p[0] - a[0]) * wx + (p[1] - a[1]) * wy) / l2, 0.0, 1.0);
       const double d = std::hypot(p[0] - a[0] - t * wx, p[1] - a[1] - t * wy);
       nearest = std::min(nearest, d);
-      wanted = std::min(wanted, std::sqrt(l2) + 0.4 * d);
+      wanted = std::min(wanted, length_[at->second] + 0.4 * d);
     }
     return {nearest, wanted};
   }
@@ -268,6 +272,7 @@ class Region_triangulation {
   double size_;
   std::vector<Edge> edges_;
   std::vector<std::pair<Point2, Point2>> ends_;
+  std::vector<double> length_;  // by edge: of it and its neighbours the greatest
   boost::geometry::index::rtree<std::pair<Segment, std::size_t>, boost::geometry::index::quadratic<8>> near_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;  // node between the ends of an edge
   std::vector<Handle> handles_;

@@ -91,9 +91,7 @@ inline std::optional<Quad_mesh> match_quads(const Quad_region& region, double si
   Quad_mesh result;
   result.points = mesh.points;
   for (std::size_t i : chosen) result.quads.push_back(pairs[i].quad);
-  std::size_t fixed = 0;
-  for (const auto& loop : region.loops) fixed += loop.nodes.size();
-  internal::Doublet_remover(result, fixed).run();
+  internal::Doublet_remover(result, number_of_nodes(region)).run();
   return result;
 }
 

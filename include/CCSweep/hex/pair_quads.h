@@ -77,9 +77,11 @@ class Midpoint_subdivision {
 
 /// An unstructured mesh of a region: triangles of twice the size are paired to quads, and every cell is subdivided, so
 /// that triangles left over do no harm.
-/// \return nothing where every second node of the loops is too coarse to outline the region.
+/// \return nothing where a loop has an odd number of nodes, or every second one is too coarse to outline the region.
 /// Complexity: O(n log n) in the quads, times the nodes on the loops for the size that is wanted at a place.
 inline std::optional<Quad_mesh> pair_quads(const Quad_region& region, double size) {
+  for (const auto& loop : region.loops)
+    if (loop.nodes.size() % 2 != 0) return std::nullopt;
   internal::Region_triangulation coarse(region, size, 2);
   if (!coarse.run()) return std::nullopt;
   const auto cells = internal::pair_triangles(coarse);
