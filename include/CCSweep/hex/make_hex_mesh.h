@@ -14,6 +14,8 @@
 #include <CCSweep/hex/cell_turns.h>
 #include <CCSweep/hex/even_heights.h>
 #include <CCSweep/hex/mesh_quads.h>
+#include <CCSweep/hex/outline_faults.h>
+#include <CCSweep/hex/plane.h>
 #include <CCSweep/hex/sizing.h>
 #include <CCSweep/hex/smooth_hexes.h>
 #include <CCSweep/hex/trace_cells.h>
@@ -23,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +59,8 @@ class Hex_mesher {
       intervals.solve(cells_, turns_, solver_);
       const std::vector<double> quality = mesh_all(intervals);
       const double worst = *std::min_element(quality.begin(), quality.end());
-      if (best.hexes.empty() || worst > best_quality + gain_worth_a_try) {
+      // More hexahedra must be worth it.
+      if (best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 2 ? small_gain : large_gain)) {
         best_quality = worst;
         best = mesh_;
       }
@@ -66,7 +70,7 @@ class Hex_mesher {
         if (i == 0 && quality[c] < good)
           make_even(cells_[c], intervals);
         else if (quality[c] < acceptable)
-          refine(cells_[c], intervals);
+          refine(c, intervals);
     }
     if (best_quality == -2)
       fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
@@ -78,7 +82,7 @@ class Hex_mesher {
   using Drop = std::function<Vec3(const Vec3&)>;
 
   // Scaled Jacobians: below the one a mesh is tried again, up to the other its nodes are moved.
-  static constexpr double acceptable = 0.1, good = 0.3, gain_worth_a_try = 0.01;
+  static constexpr double acceptable = 0.1, good = 0.3, small_gain = 0.01, large_gain = 0.05;
   static constexpr std::size_t growth = 4;  // of the number of hexahedra from try to try
 
   // Sub-volumes ascend by the id of their target, as in a decomposition.
@@ -110,9 +114,34 @@ class Hex_mesher {
       for (Arc_stack::Half_arc h : loop) intervals.make_even(cell.top, h);
   }
 
-  static void refine(const Cell& cell, Arc_intervals& intervals) {
-    for (const Cell::Loop& loop : cell.loops[0])
-      for (Arc_stack::Half_arc h : loop) intervals.refine(cell.top, h);
+  // Refines the arcs at fault, or all where there is none.
+  void refine(std::size_t c, Arc_intervals& intervals) const {
+    const Cell& cell = cells_[c];
+    std::vector<Arc_stack::Half_arc> halves;
+    for (const Cell::Loop& loop : cell.loops[0]) halves.insert(halves.end(), loop.begin(), loop.end());
+    std::set<std::size_t> faults;
+    for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(arcs_too_coarse(edges_of(c, k, intervals)));
+    for (std::size_t i = 0; i < halves.size(); ++i)
+      if (faults.empty() || faults.count(i) > 0) intervals.refine(cell.top, halves[i]);
+  }
+
+  // The outline of a cell on a layer, as of the last try.
+  std::vector<Outline_edge> edges_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals) const {
+    const Plane_chart plane(stack_.layers[layer].up);
+    std::vector<Point2> nodes;
+    for (std::uint32_t n : outlines_[c][layer - cells_[c].bottom]) nodes.push_back(plane(mesh_.points[n]));
+    std::vector<Outline_edge> edges;
+    std::size_t arc = 0;
+    for (const Cell::Loop& loop : cells_[c].loops[0]) {
+      const std::size_t first = edges.size();
+      for (Arc_stack::Half_arc h : loop) {
+        for (std::size_t i = 0; i < intervals(cells_[c].top, h); ++i)
+          edges.push_back({nodes[edges.size()], {}, arc});
+        ++arc;
+      }
+      for (std::size_t e = first; e < edges.size(); ++e) edges[e].b = nodes[e + 1 < edges.size() ? e + 1 : first];
+    }
+    return edges;
   }
 
   // Returns the least scaled Jacobian of each cell; -2 where it can't be meshed.
@@ -121,18 +150,18 @@ class Hex_mesher {
     patch_.clear();
     for (Patch_index target : targets_) mesh_.targets.push_back(patch_id_[target.value()]);
     Nodes nodes(stack_, arcs_, intervals, drop_);
-    std::vector<std::vector<std::vector<std::uint32_t>>> outlines(cells_.size());  // by cell and layer from the bottom
+    outlines_.assign(cells_.size(), {});
     for (std::size_t c = 0; c < cells_.size(); ++c)
       for (std::size_t k = cells_[c].bottom; k <= cells_[c].top; ++k) {
-        outlines[c].emplace_back();
+        outlines_[c].emplace_back();
         for (const Cell::Loop& loop : cells_[c].loops[cells_[c].top - k])
-          for (std::uint32_t n : nodes.around(k, loop)) outlines[c].back().push_back(n);
+          for (std::uint32_t n : nodes.around(k, loop)) outlines_[c].back().push_back(n);
       }
     if (stack_.is_straight) Even_heights(stack_, arcs_, nodes).run();
     mesh_.points = nodes.points;
     std::vector<std::size_t> first{0};  // hexahedron, by cell
     for (std::size_t c = 0; c < cells_.size(); ++c) {
-      mesh_cell(c, intervals, outlines[c]);
+      mesh_cell(c, intervals, outlines_[c]);
       first.push_back(mesh_.hexes.size());
     }
     const std::vector<double> quality = smooth();
@@ -259,6 +288,7 @@ class Hex_mesher {
   std::vector<std::vector<int>> turns_;  // by cell
   std::vector<Patch_index> targets_;     // by sub-volume
   Hex_mesh mesh_;
+  std::vector<std::vector<std::vector<std::uint32_t>>> outlines_;  // by cell and layer from the bottom: the nodes
   std::vector<Patch_index> patch_;       // by boundary quad
 };
 
