@@ -48,7 +48,7 @@ class Hex_mesher {
   /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided, and then more
   /// intervals.
   Hex_mesh run() {
-    constexpr int tries = 4;
+    constexpr int tries = 5;
     Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {
       return size_between(sizing_, patches_of(k, arc));
     });
@@ -64,8 +64,8 @@ class Hex_mesher {
         best_quality = worst;
         best = mesh_;
       }
-      most = std::max(most, growth * (i == 0 ? mesh_.hexes.size() : 0));
-      if (best_quality >= (i == 0 ? good : acceptable) || mesh_.hexes.size() > most) break;
+      if (most == 0 && worst > -2) most = growth * mesh_.hexes.size();
+      if (best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most)) break;
       for (std::size_t c = 0; c < cells_.size(); ++c)
         if (i == 0 && quality[c] < good)
           make_even(cells_[c], intervals);
