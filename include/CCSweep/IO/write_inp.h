@@ -4,10 +4,9 @@
 #define CCSWEEP_IO_WRITE_INP_H
 
 #include <CCSweep/IO/internal/encode.h>
-#include <CCSweep/IO/internal/staged_files.h>
+#include <CCSweep/IO/internal/encoded_file.h>
 #include <CCSweep/Status.h>
 #include <CCSweep/hex/Hex_mesh.h>
-#include <CCSweep/internal/guarded.h>
 
 #include <algorithm>
 #include <array>
@@ -82,20 +81,17 @@ inline std::string encode_inp(const Hex_mesh& mesh) {
   return out;
 }
 
+inline Encoded_file encoded_inp(const Hex_mesh& mesh, const std::filesystem::path& file) {
+  return {file, {{file.filename().string(), encode_inp(mesh)}}};
+}
+
 }  // namespace internal
 
 /// Writes a mesh as Abaqus input: elements C3D8 with an ELSET `VOLUME_i` for each sub-volume, and for each patch the NSET
 /// `PATCH_id` of its nodes and the SURFACE `SURFACE_id` of its element faces.
 /// \return `write_failed` where that is not possible; no half-written file is left then.
 inline Status write_inp(const Hex_mesh& mesh, const std::string& file) {
-  const std::filesystem::path path(file);
-  return internal::guarded([&] {
-           internal::Staged_files files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
-           files.add(path.filename().string(), internal::encode_inp(mesh));
-           files.commit();
-           return true;
-         })
-      .status();
+  return internal::write_encoded({internal::encoded_inp(mesh, file)});
 }
 
 }  // namespace CCSweep

@@ -18,7 +18,7 @@ namespace CCSweep {
 
 /// Solves interval problems as mixed integer programs, exactly, with any of the solvers behind CGAL's
 /// `MixedIntegerProgramTraits`. The part that a number strays from what is wanted is a variable of its own, and an even
-/// sum is twice a whole number.
+/// sum is twice a whole number. No number may be much larger than what is wanted, so that the search has an end.
 /// \tparam ProgramTraits a model of CGAL's `MixedIntegerProgramTraits`
 template <class ProgramTraits>
 class Program_intervals {
@@ -29,12 +29,13 @@ class Program_intervals {
     const std::size_t n = problem.wanted.size();
     std::vector<Variable*> count;
     for (std::size_t i = 0; i < n; ++i) {
-      count.push_back(program.create_variable(Variable::INTEGER, double(problem.least[i]), most, name("n", i)));
+      const double bound = 10 + std::ceil(3 * std::max(double(problem.least[i]), problem.wanted[i]));
+      count.push_back(program.create_variable(Variable::INTEGER, double(problem.least[i]), bound, name("n", i)));
       Variable* stray = program.create_variable(Variable::CONTINUOUS, 0, most, name("d", i));
       for (double sign : {1.0, -1.0}) {  // stray >= sign * (count - wanted)
-        auto* bound = program.create_constraint(-sign * problem.wanted[i], most);
-        bound->add_coefficient(stray, 1);
-        bound->add_coefficient(count[i], -sign);
+        auto* row = program.create_constraint(-sign * problem.wanted[i], most);
+        row->add_coefficient(stray, 1);
+        row->add_coefficient(count[i], -sign);
       }
       program.objective()->add_coefficient(stray, 1 / std::max(problem.wanted[i], 1.0));
     }
@@ -42,7 +43,7 @@ class Program_intervals {
     for (const auto& row : problem.even) {
       auto* sum = program.create_constraint(0, 0);
       add_row(*sum, count, row);
-      sum->add_coefficient(program.create_variable(Variable::INTEGER, -most, most, ""), -2);
+      sum->add_coefficient(program.create_variable(Variable::INTEGER, 0, most, ""), -2);
     }
     program.objective()->set_sense(ProgramTraits::Linear_objective::MINIMIZE);
     if (n == 0) return Intervals();

@@ -84,6 +84,16 @@ class Region_triangulation {
     return !triangles.empty();
   }
 
+  /// Puts a point inside each of some triangles, and triangulates anew.
+  void split(const std::vector<std::size_t>& which) {
+    for (std::size_t t : which) {
+      const auto& [a, b, c] = triangles[t];
+      insert({(points[a][0] + points[b][0] + points[c][0]) / 3, (points[a][1] + points[b][1] + points[c][1]) / 3});
+    }
+    mark_inside();
+    collect();
+  }
+
   /// In which direction the side from a to b sets out: on the boundary to the node between.
   const Point2& towards(std::uint32_t a, std::uint32_t b) const {
     for (const auto& edge : {std::pair(a, b), std::pair(b, a)})
@@ -265,6 +275,7 @@ class Region_triangulation {
   }
 
   void collect() {
+    triangles.clear();
     for (auto f : mesh_.finite_face_handles())
       if (f->info()) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }

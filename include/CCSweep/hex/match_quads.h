@@ -80,13 +80,22 @@ class Doublet_remover {
 
 /// An unstructured mesh of a region: its triangles of the size wanted, matched two and two to quads, as many and as good
 /// ones as there can be (Remacle et al., Blossom-Quad, 2012).
-/// \return nothing where a triangle is left over, or the loops cross each other.
+/// Triangles left over are split, and all are matched anew, a few times.
+/// \return nothing where a triangle is left over then, or the loops cross each other.
 /// Complexity: O(n^3) for few triangles; O(n log n) for more, and O(n) for each pair that the best ones leave out.
 inline std::optional<Quad_mesh> match_quads(const Quad_region& region, double size) {
+  constexpr int tries = 4;
   internal::Region_triangulation mesh(region, size, 1);
   if (!mesh.run() || mesh.triangles.size() % 2 != 0) return std::nullopt;
-  const auto pairs = internal::pairs_of_triangles(mesh, 0.0);
-  const auto chosen = internal::choose_pairs(pairs, mesh.triangles.size(), true);
+  std::vector<internal::Triangle_pair> pairs;
+  std::vector<std::size_t> chosen;
+  for (int i = 0; i < tries; ++i) {
+    // Smoothing opens flat corners, and those turned in a little.
+    pairs = internal::pairs_of_triangles(mesh, -0.9);
+    chosen = internal::choose_pairs(pairs, mesh.triangles.size(), true);
+    if (2 * chosen.size() == mesh.triangles.size()) break;
+    mesh.split(internal::left_over(pairs, chosen, mesh.triangles.size()));
+  }
   if (2 * chosen.size() != mesh.triangles.size()) return std::nullopt;
   Quad_mesh result;
   result.points = mesh.points;

@@ -22,14 +22,11 @@ namespace internal {
 inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Region_triangulation& coarse) {
   constexpr double least = 0.3;
   const std::vector<Triangle_pair> pairs = pairs_of_triangles(coarse, least);
-  std::vector<bool> used(coarse.triangles.size(), false);
+  const std::vector<std::size_t> chosen = choose_pairs(pairs, coarse.triangles.size(), false);
   std::vector<std::vector<std::uint32_t>> cells;
-  for (std::size_t i : choose_pairs(pairs, used.size(), false)) {
-    used[pairs[i].first] = used[pairs[i].second] = true;
-    cells.emplace_back(pairs[i].quad.begin(), pairs[i].quad.end());
-  }
-  for (std::size_t t = 0; t < used.size(); ++t)
-    if (!used[t]) cells.emplace_back(coarse.triangles[t].begin(), coarse.triangles[t].end());
+  for (std::size_t i : chosen) cells.emplace_back(pairs[i].quad.begin(), pairs[i].quad.end());
+  for (std::size_t t : left_over(pairs, chosen, coarse.triangles.size()))
+    cells.emplace_back(coarse.triangles[t].begin(), coarse.triangles[t].end());
   return cells;
 }
 

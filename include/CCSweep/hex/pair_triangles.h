@@ -39,11 +39,24 @@ inline double quality_of_pair(const Region_triangulation& mesh, const std::array
   return worst;
 }
 
-/// All pairs that make a quad of more than a quality, the best first.
+/// All pairs that make a quad of more than a quality, the best first; none with a flat corner on the outline, which no
+/// smoothing opens.
 inline std::vector<Triangle_pair> pairs_of_triangles(const Region_triangulation& mesh, double least) {
+  constexpr double flat = 0.2;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> side;  // triangle, corner
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) side[{mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]}] = {t, i};
+  const auto on_outline = [&](std::uint32_t a, std::uint32_t b) { return side.count({b, a}) == 0; };
+  const auto has_flat_corner = [&](const std::array<std::uint32_t, 4>& q) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t before = q[(i + 3) % 4], after = q[(i + 1) % 4];
+      const Point2 &here = mesh.points[q[i]], &a = mesh.towards(q[i], after), &b = mesh.towards(q[i], before);
+      if (on_outline(before, q[i]) && on_outline(q[i], after) &&
+          turn(here, a, b) < flat * length_between(here, a) * length_between(here, b))
+        return true;
+    }
+    return false;
+  };
   std::vector<Triangle_pair> pairs;
   for (const auto& [edge, here] : side) {
     const auto there = side.find({edge.second, edge.first});
@@ -51,7 +64,7 @@ inline std::vector<Triangle_pair> pairs_of_triangles(const Region_triangulation&
     const std::uint32_t tip = mesh.triangles[here.first][(here.second + 2) % 3];
     const std::uint32_t foot = mesh.triangles[there->second.first][(there->second.second + 2) % 3];
     const std::array<std::uint32_t, 4> quad{edge.first, foot, edge.second, tip};
-    if (const double quality = quality_of_pair(mesh, quad); quality > least)
+    if (const double quality = quality_of_pair(mesh, quad); quality > least && !has_flat_corner(quad))
       pairs.push_back({quality, here.first, there->second.first, quad});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
@@ -104,6 +117,17 @@ inline std::vector<std::size_t> choose_pairs(const std::vector<Triangle_pair>& p
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (mates[pairs[i].first] == pairs[i].second && mates[pairs[i].second] == pairs[i].first) chosen.push_back(i);
   return chosen;
+}
+
+/// The triangles that are in none of the pairs chosen.
+inline std::vector<std::size_t> left_over(const std::vector<Triangle_pair>& pairs,
+                                          const std::vector<std::size_t>& chosen, std::size_t triangles) {
+  std::vector<bool> used(triangles, false);
+  for (std::size_t i : chosen) used[pairs[i].first] = used[pairs[i].second] = true;
+  std::vector<std::size_t> left;
+  for (std::size_t t = 0; t < triangles; ++t)
+    if (!used[t]) left.push_back(t);
+  return left;
 }
 
 }  // namespace CCSweep::internal
