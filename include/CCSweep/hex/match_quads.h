@@ -4,7 +4,7 @@
 #define CCSWEEP_HEX_MATCH_QUADS_H
 
 #include <CCSweep/hex/Quad_region.h>
-#include <CCSweep/hex/Region_triangulation.h>
+#include <CCSweep/hex/Cap_triangulation.h>
 #include <CCSweep/hex/pair_triangles.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ class Doublet_remover {
 /// Complexity: O(n^3) for few triangles; O(n log n) for more, and O(n) for each pair that the best ones leave out.
 inline std::optional<Quad_mesh> match_quads(const Quad_region& region, double size) {
   constexpr int tries = 4;
-  internal::Region_triangulation mesh(region, size, 1);
+  internal::Cap_triangulation mesh(region, size, 1);
   if (!mesh.run() || mesh.triangles.size() % 2 != 0) return std::nullopt;
   std::vector<internal::Triangle_pair> pairs;
   std::vector<std::size_t> chosen;

@@ -68,16 +68,15 @@ struct Best_quads {
   std::optional<Quad_mesh> operator()(const Quad_region& region, double size) const {
     std::optional<Quad_mesh> best;
     double quality = -2;
-    const auto is_good = [&](std::optional<Quad_mesh> made) {
-      constexpr double good = 0.4;
+    const auto is_good = [&](std::optional<Quad_mesh> made, double good) {
       if (const double q = made ? worst_quality(*made) : -2; q > quality) {
         quality = q;
         best = std::move(made);
       }
       return quality >= good;
     };
-    if (is_good(Structured_quads()(region, size)) || is_good(Matched_quads()(region, size))) return best;
-    is_good(Subdivided_quads()(region, size));
+    if (is_good(Structured_quads()(region, size), 0.4) || is_good(Matched_quads()(region, size), 0.65)) return best;
+    is_good(Subdivided_quads()(region, size), 1);
     return best;
   }
 };

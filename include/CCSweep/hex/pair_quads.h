@@ -4,7 +4,7 @@
 #define CCSWEEP_HEX_PAIR_QUADS_H
 
 #include <CCSweep/hex/Quad_region.h>
-#include <CCSweep/hex/Region_triangulation.h>
+#include <CCSweep/hex/Cap_triangulation.h>
 #include <CCSweep/hex/pair_triangles.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace CCSweep {
 namespace internal {
 
 /// Triangles joined to quads where these are good; the rest stay triangles.
-inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Region_triangulation& coarse) {
+inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Cap_triangulation& coarse) {
   constexpr double least = 0.3;
   const std::vector<Triangle_pair> pairs = pairs_of_triangles(coarse, least);
   const std::vector<std::size_t> chosen = choose_pairs(pairs, coarse.triangles.size(), false);
@@ -34,7 +34,7 @@ inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Region_trian
 /// those are the nodes that the coarse cells left out.
 class Midpoint_subdivision {
  public:
-  explicit Midpoint_subdivision(const Region_triangulation& coarse) {
+  explicit Midpoint_subdivision(const Cap_triangulation& coarse) {
     mesh_.points = coarse.points;
     for (const auto& [edge, node] : coarse.middles()) middle_[std::minmax(edge.first, edge.second)] = node;
   }
@@ -79,7 +79,7 @@ class Midpoint_subdivision {
 inline std::optional<Quad_mesh> pair_quads(const Quad_region& region, double size) {
   for (const auto& loop : region.loops)
     if (loop.nodes.size() % 2 != 0) return std::nullopt;
-  internal::Region_triangulation coarse(region, size, 2);
+  internal::Cap_triangulation coarse(region, size, 2);
   if (!coarse.run()) return std::nullopt;
   const auto cells = internal::pair_triangles(coarse);
   return internal::Midpoint_subdivision(coarse).run(cells);

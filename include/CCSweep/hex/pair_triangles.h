@@ -3,7 +3,7 @@
 #ifndef CCSWEEP_HEX_PAIR_TRIANGLES_H
 #define CCSWEEP_HEX_PAIR_TRIANGLES_H
 
-#include <CCSweep/hex/Region_triangulation.h>
+#include <CCSweep/hex/Cap_triangulation.h>
 #include <CCSweep/hex/quad_quality.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -28,7 +28,7 @@ struct Triangle_pair {
 };
 
 /// The least sine of a quad's angles, seen along the outline where a side lies on it.
-inline double quality_of_pair(const Region_triangulation& mesh, const std::array<std::uint32_t, 4>& quad) {
+inline double quality_of_pair(const Cap_triangulation& mesh, const std::array<std::uint32_t, 4>& quad) {
   const auto& p = mesh.points;
   double worst = quad_scaled_jacobian(p[quad[0]], p[quad[1]], p[quad[2]], p[quad[3]]);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -41,7 +41,7 @@ inline double quality_of_pair(const Region_triangulation& mesh, const std::array
 
 /// All pairs that make a quad of more than a quality, the best first; none with a flat corner on the outline, which no
 /// smoothing opens.
-inline std::vector<Triangle_pair> pairs_of_triangles(const Region_triangulation& mesh, double least) {
+inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& mesh, double least) {
   constexpr double flat = 0.2;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> side;  // triangle, corner
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

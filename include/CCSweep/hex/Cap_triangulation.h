@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CCSWEEP_HEX_REGION_TRIANGULATION_H
-#define CCSWEEP_HEX_REGION_TRIANGULATION_H
+#ifndef CCSWEEP_HEX_CAP_TRIANGULATION_H
+#define CCSWEEP_HEX_CAP_TRIANGULATION_H
 
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/quad_quality.h>
@@ -29,7 +29,7 @@ namespace CCSweep::internal {
 
 /// Triangles over the nodes of a region's loops and points inside, to be paired to quads; or of twice the size, over
 /// every second node of the loops, to be paired and subdivided.
-class Region_triangulation {
+class Cap_triangulation {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
   struct Edge {
@@ -37,7 +37,7 @@ class Region_triangulation {
   };
 
   /// \param stride 1 for all nodes of the loops, 2 for every second one
-  Region_triangulation(const Quad_region& region, double size, std::uint32_t stride) : size_(stride * size) {
+  Cap_triangulation(const Quad_region& region, double size, std::uint32_t stride) : size_(stride * size) {
     std::uint32_t first = 0;
     std::map<Point2, std::uint32_t> node_at;  // an outline may touch itself in a node, which then is one
     for (const auto& loop : region.loops) {
