@@ -10,6 +10,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CCSweep::internal {
@@ -38,10 +39,24 @@ class Quad_laplacian {
     if (inner > 0) solver_.compute(matrix);
   }
 
-  /// The values of the inner nodes, a row each, from those of the outline's.
-  Eigen::MatrixXd operator()(const Eigen::MatrixXd& on_outline) const {
-    if (to_outline_.rows() == 0) return Eigen::MatrixXd(0, on_outline.cols());
-    return solver_.solve(to_outline_ * on_outline);
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// The values of the inner nodes, a row each, from those of the outline's. All columns go through the factor at once,
+  /// which is what takes the time, so many are hardly dearer than one.
+  Values operator()(const Values& on_outline) const {
+    if (to_outline_.rows() == 0) return Values(0, on_outline.cols());
+    Values x = solver_.permutationP() * Values(to_outline_ * on_outline);
+    const auto& factor = solver_.matrixL().nestedExpression();
+    using Entry = typename std::decay_t<decltype(factor)>::InnerIterator;
+    const Eigen::Index n = x.rows();
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Entry e(factor, j); e; ++e)
+        if (e.row() > j) x.row(e.row()) -= e.value() * x.row(j);
+    x.array().colwise() /= solver_.vectorD().array();
+    for (Eigen::Index j = n; j-- > 0;)
+      for (Entry e(factor, j); e; ++e)
+        if (e.row() > j) x.row(j) -= e.value() * x.row(e.row());
+    return solver_.permutationPinv() * x;
   }
 
  private:

@@ -80,6 +80,7 @@ using Mates = std::vector<boost::graph_traits<Pair_graph>::vertex_descriptor>;
 template <class Graph, class MateMap>
 struct Best_first_matching {
   static void find_matching(const Graph& graph, MateMap mate) {
+    using boost::get, boost::put;
     const auto null = boost::graph_traits<Graph>::null_vertex();
     for (auto v : boost::make_iterator_range(vertices(graph))) put(mate, v, null);
     for (auto e : boost::make_iterator_range(edges(graph)))

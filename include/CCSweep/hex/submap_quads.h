@@ -91,10 +91,10 @@ inline std::optional<Quad_mesh> submap_quads(const Quad_region& region) {
     mesh.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
   }
   const std::size_t fixed = loop.nodes.size();
-  Eigen::MatrixXd on_outline(static_cast<Eigen::Index>(fixed), 2);
+  internal::Quad_laplacian::Values on_outline(static_cast<Eigen::Index>(fixed), 2);
   for (std::size_t n = 0; n < fixed; ++n)
     for (int x : {0, 1}) on_outline(static_cast<Eigen::Index>(n), x) = loop.nodes[n][x];
-  const Eigen::MatrixXd inner = internal::Quad_laplacian(mesh, fixed)(on_outline);
+  const auto inner = internal::Quad_laplacian(mesh, fixed)(on_outline);
   for (std::size_t n = fixed; n < mesh.points.size(); ++n)
     for (int x : {0, 1}) mesh.points[n][x] = inner(static_cast<Eigen::Index>(n - fixed), x);
   return mesh;
