@@ -57,6 +57,7 @@ class Cap_triangulation {
       points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
       first += n;
     }
+    number_on_loops = points.size();
     std::vector<std::pair<Segment, std::size_t>> boxes;
     for (std::size_t e = 0; e < ends_.size(); ++e)
       boxes.push_back({{{ends_[e].first[0], ends_[e].first[1]}, {ends_[e].second[0], ends_[e].second[1]}}, e});
@@ -105,6 +106,7 @@ class Cap_triangulation {
   const std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>& middles() const { return middle_; }
 
   std::vector<Point2> points;        ///< the region's nodes, then the points inside
+  std::size_t number_on_loops;       ///< how many of them are the region's nodes
   std::vector<Triangle> triangles;   ///< counter-clockwise
 
  private:
@@ -171,8 +173,8 @@ class Cap_triangulation {
   bool is_inside(const Point2& p) const {
     Cdt::Locate_type type;
     int i;
-    const auto f = mesh_.locate(point(p), type, i);
-    return type == Cdt::FACE && f->info();
+    hint_ = mesh_.locate(point(p), type, i, hint_);
+    return type == Cdt::FACE && hint_->info();
   }
 
   // A square lattice in the direction of most of the boundary: triangles on it pair to squares.
@@ -205,8 +207,9 @@ class Cap_triangulation {
 
   void insert(const Point2& p) {
     const std::size_t before = mesh_.number_of_vertices();
-    const Handle v = mesh_.insert(point(p));
+    const Handle v = mesh_.insert(point(p), hint_);
     if (mesh_.number_of_vertices() == before) return;
+    hint_ = v->face();
     v->info() = static_cast<std::uint32_t>(points.size());
     points.push_back(p);
   }
@@ -221,8 +224,9 @@ class Cap_triangulation {
         if (!f->info()) continue;
         const auto c = mesh_.circumcenter(f);
         const Point2 p{c.x(), c.y()};
-        if (!is_inside(p)) continue;
         const double radius = std::sqrt(CGAL::squared_distance(c, f->vertex(0)->point()));
+        hint_ = f;
+        if (!is_inside(p)) continue;
         const auto [d, wanted] = distance_and_size(p);
         if (d > 0.6 * wanted && radius > 0.85 * wanted) centres.push_back({radius / wanted, p});
       }
@@ -245,7 +249,7 @@ class Cap_triangulation {
 
   // To those of the triangle around p and of its neighbours.
   double squared_distance_to_vertices(const Point2& p) const {
-    const auto f = mesh_.locate(point(p));
+    const auto f = hint_ = mesh_.locate(point(p), hint_);
     double least = 1e300;
     for (int i = 0; i < 3; ++i)
       for (const auto& v : {f->vertex(i), f->neighbor(i)->vertex(f->neighbor(i)->index(f))})
@@ -288,6 +292,7 @@ class Cap_triangulation {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;  // node between the ends of an edge
   std::vector<Handle> handles_;
   Cdt mesh_;
+  mutable Cdt::Face_handle hint_;  // where the last point was found; the next one is near
 };
 
 }  // namespace CCSweep::internal

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -43,12 +42,24 @@ inline double quality_of_pair(const Cap_triangulation& mesh, const std::array<st
 /// smoothing opens.
 inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& mesh, double least) {
   constexpr double flat = 0.2;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> side;  // triangle, corner
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) side[{mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]}] = {t, i};
-  const auto on_outline = [&](std::uint32_t a, std::uint32_t b) { return side.count({b, a}) == 0; };
+  struct Side {
+    std::uint64_t ends;  // first and second node
+    std::uint32_t triangle, corner;
+    bool operator<(const Side& other) const { return ends < other.ends; }
+  };
+  const auto key = [](std::uint64_t a, std::uint64_t b) { return a << 32 | b; };
+  std::vector<Side> sides;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i) sides.push_back({key(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]), t, i});
+  std::sort(sides.begin(), sides.end());
+  const auto find = [&](std::uint32_t a, std::uint32_t b) -> const Side* {
+    const auto found = std::lower_bound(sides.begin(), sides.end(), Side{key(a, b), 0, 0});
+    return found == sides.end() || found->ends != key(a, b) ? nullptr : &*found;
+  };
+  const auto on_outline = [&](std::uint32_t a, std::uint32_t b) { return find(b, a) == nullptr; };
   const auto has_flat_corner = [&](const std::array<std::uint32_t, 4>& q) {
     for (std::size_t i = 0; i < 4; ++i) {
+      if (q[i] >= mesh.number_on_loops) continue;
       const std::uint32_t before = q[(i + 3) % 4], after = q[(i + 1) % 4];
       const Point2 &here = mesh.points[q[i]], &a = mesh.towards(q[i], after), &b = mesh.towards(q[i], before);
       if (on_outline(before, q[i]) && on_outline(q[i], after) &&
@@ -58,14 +69,15 @@ inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& me
     return false;
   };
   std::vector<Triangle_pair> pairs;
-  for (const auto& [edge, here] : side) {
-    const auto there = side.find({edge.second, edge.first});
-    if (there == side.end() || edge.first > edge.second) continue;
-    const std::uint32_t tip = mesh.triangles[here.first][(here.second + 2) % 3];
-    const std::uint32_t foot = mesh.triangles[there->second.first][(there->second.second + 2) % 3];
-    const std::array<std::uint32_t, 4> quad{edge.first, foot, edge.second, tip};
+  for (const Side& here : sides) {
+    const auto a = static_cast<std::uint32_t>(here.ends >> 32), b = static_cast<std::uint32_t>(here.ends);
+    const Side* there = a < b ? find(b, a) : nullptr;
+    if (there == nullptr) continue;
+    const std::uint32_t tip = mesh.triangles[here.triangle][(here.corner + 2) % 3];
+    const std::uint32_t foot = mesh.triangles[there->triangle][(there->corner + 2) % 3];
+    const std::array<std::uint32_t, 4> quad{a, foot, b, tip};
     if (const double quality = quality_of_pair(mesh, quad); quality > least && !has_flat_corner(quad))
-      pairs.push_back({quality, here.first, there->second.first, quad});
+      pairs.push_back({quality, here.triangle, there->triangle, quad});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Triangle_pair& a, const Triangle_pair& b) { return a.quality > b.quality; });
