@@ -230,6 +230,20 @@ function(refused)
   endif()
 endfunction()
 
+# What failed on a layer can be looked at; what did not fail leaves nothing.
+function(dump)
+  run(decompose ${DATA}/counterbore_over_ring.ply --tolerance 0.4 --out ${SCRATCH}/out --dump ${SCRATCH}/dump)
+  check_failure(${SCRATCH}/out)
+  file(GLOB drawn RELATIVE ${SCRATCH}/dump ${SCRATCH}/dump/*)
+  if(NOT exit EQUAL 5 OR NOT drawn MATCHES "^layer_[0-9]+\\.svg;layer_[0-9]+\\.vtp$")
+    message(SEND_ERROR "A layer that failed ended with ${exit} and drew '${drawn}'")
+  endif()
+  run(decompose ${DATA}/counterbore_over_ring.ply --out ${SCRATCH}/out --dump ${SCRATCH}/nothing)
+  if(NOT exit EQUAL 0 OR EXISTS ${SCRATCH}/nothing)
+    message(SEND_ERROR "Success ended with ${exit}, or drew a layer")
+  endif()
+endfunction()
+
 function(wrong_use)
   set(part ${DATA}/cylinder.ply)
   foreach(line IN ITEMS "" "dissect;${part}" "decompose" "decompose;${part}" "decompose;${part};--out;out;--wrong"

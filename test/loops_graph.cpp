@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(edges_are_pairs_of_coedges) {
   BOOST_TEST(degree(source(e, graph), graph) == 2u);
   BOOST_TEST(halfedge(source(e, graph), target(e, graph), graph).second);
   const std::vector<Node_index> back(graph.nodes(h).rbegin(), graph.nodes(h).rend());
-  BOOST_TEST((graph.nodes(graph.opposite(h)) == back));
+  BOOST_TEST(std::ranges::equal(graph.nodes(graph.opposite(h)), back));
   std::size_t out = 0;
   for (Loop_edge o : CGAL::make_range(out_edges(source(e, graph), graph))) {
     BOOST_TEST((source(o, graph) == source(e, graph)));

@@ -274,6 +274,16 @@ BOOST_AUTO_TEST_CASE(tolerance_zero_merges_equal_points_only) {
   BOOST_TEST(done(drawing, 1e-9).graph.number_of_loop_faces() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(fixed_nodes_take_over_from_those_drawn_before_them) {
+  // A node that was merged must not be taken for one that stands when nodes are merged again.
+  Layer_drawing<Kernel> drawing;
+  draw(drawing, rectangle(0, 0, 1, 1), source_1, {.corners = true});
+  draw(drawing, rectangle(0, 0, 1, 1), target_2, {.fixed = true});
+  const auto imprint = done(drawing, 1e-6);
+  BOOST_TEST(imprint.graph.number_of_loop_faces() == 1u);
+  BOOST_TEST(nodes_in_use(imprint) == 4u);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_smaller_than_the_tolerance_is_reported) {
   Layer_drawing<Kernel> drawing;
   draw(drawing, rectangle(0, 0, 1, 1), source_1);

@@ -7,9 +7,13 @@
 #include <CCSweep/loops/segment_index.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
+#include <cstdint>
+#include <iterator>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "loops_drawings.h"
@@ -50,6 +54,8 @@ static_assert(SegmentIndex_2<Rtree_segment_index_2<Kernel>>);
 static_assert(SegmentIndex_2<Run_segment_index_2<Kernel>>);
 static_assert(SegmentIndex_2<Brute_force_segment_index_2<Kernel>>);
 static_assert(SegmentIndex_2<Segment_index_archetype>);
+static_assert(SelfJoiningSegmentIndex_2<Run_segment_index_2<Kernel>>);
+static_assert(!SelfJoiningSegmentIndex_2<Segment_index_archetype>);
 static_assert(PointIndex_3<Rtree_point_index_3>);
 static_assert(PointIndex_3<Brute_force_point_index_3>);
 static_assert(PointIndex_3<Kd_tree_point_index_3>);
@@ -78,6 +84,19 @@ void check_segments(const std::vector<CGAL::Bbox_2>& boxes) {
   std::vector<std::size_t> none;
   index.candidates({100, 100, 101, 101}, std::back_inserter(none));
   BOOST_TEST(none.empty());
+}
+
+void check_pairs(const std::vector<CGAL::Bbox_2>& boxes) {
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Pair> found, expected;
+  Run_segment_index_2<Kernel>(boxes).pairs(std::back_inserter(found));
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
+      if (CGAL::do_overlap(boxes[i], boxes[j])) expected.emplace_back(i, j);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  BOOST_TEST((found == expected));
 }
 
 template <class Index>
@@ -111,8 +130,11 @@ BOOST_AUTO_TEST_CASE(segments_against_brute_force) {
   }
   check_segments<Rtree_segment_index_2<Kernel>>(boxes);
   check_segments<Run_segment_index_2<Kernel>>(boxes);
+  check_pairs(boxes);
   for (std::size_t size : {0, 1, 4, 5, 17}) {
-    check_segments<Run_segment_index_2<Kernel>>({boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(size)});
+    const std::vector<CGAL::Bbox_2> some(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(size));
+    check_segments<Run_segment_index_2<Kernel>>(some);
+    check_pairs(some);
   }
 }
 

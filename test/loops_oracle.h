@@ -15,6 +15,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "loops_scene.h"
@@ -141,8 +142,31 @@ bool are_equal(const Tallies<FT>& a, const Tallies<FT>& b, const FT& scale = FT(
   });
 }
 
+// Whether no two segments of an imprint meet anywhere but in a common node. By brute force.
+template <class K>
+bool meet_in_nodes_only(const CCSweep::Imprint<K>& imprint) {
+  const auto point = [&](CCSweep::Node_index n) -> const auto& { return imprint.points[n.value()]; };
+  const auto meet = [&](const auto& s, const auto& t) {
+    for (const auto& [common, u] : {std::pair(s.source, s.target), std::pair(s.target, s.source)}) {
+      if (common != t.source && common != t.target) continue;
+      const auto &c = point(common), &p = point(u), &q = point(common == t.source ? t.target : t.source);
+      return CGAL::collinear(c, p, q) && !CGAL::collinear_are_strictly_ordered_along_line(p, c, q);
+    }
+    using Segment = typename K::Segment_2;
+    return CGAL::do_intersect(Segment(point(s.source), point(s.target)), Segment(point(t.source), point(t.target)));
+  };
+  std::vector<CGAL::Bbox_2> boxes;
+  for (const auto& s : imprint.segments) boxes.push_back(point(s.source).bbox() + point(s.target).bbox());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (CGAL::do_overlap(boxes[i], boxes[j]) && meet(imprint.segments[i], imprint.segments[j])) return false;
+    }
+  }
+  return true;
+}
+
 // What is wrong with the imprint of a scene; nothing if it is right. With exact constructions it is that of the oracle;
-// else a valid graph with the same areas up to rounding.
+// else a valid graph whose edges meet in nodes only, with the same areas up to rounding.
 inline std::string difference(const Scene& scene) {
   const Tallies<Exact::FT> expected = Oracle::of(scene);
   const auto exact = CCSweep::imprint_layer(drawn<Exact>(scene), 0);
@@ -154,6 +178,7 @@ inline std::string difference(const Scene& scene) {
     const auto inexact = CCSweep::imprint_layer(drawn<Inexact>(scene), tolerance);
     if (!inexact.ok()) return "rounded: " + inexact.status().reason;
     if (!is_valid(inexact.value().graph, inexact.value().points)) return "the rounded graph is not valid";
+    if (!meet_in_nodes_only(inexact.value())) return "rounded edges meet";
     const auto rounded = tally(inexact.value());
     Tallies<double> all = rounded;
     for (const auto& [label, entry] : expected) all[label].area -= CGAL::to_double(entry.area);

@@ -28,13 +28,14 @@ class LoopFaceGraph {
   /// The node of the layer at a LoopVertex.
   Node_index node(Vertex_index v) const;
   /// The nodes along a LoopCoEdge in its own direction, both ends included; those of the opposite one are reversed.
-  std::vector<Node_index> nodes(Halfedge_index h) const;
+  /// Here and below a type that converts to this one will do.
+  std::span<const Node_index> nodes(Halfedge_index h) const;
   /// The LoopFace that a loop bounds.
   Loop_face_index loop_face(Face_index loop) const;
   /// The loop around a LoopFace.
   Face_index outer_loop(Loop_face_index f) const;
   /// All loops of a LoopFace, the outer one first.
-  std::vector<Face_index> loops(Loop_face_index f) const;
+  std::span<const Face_index> loops(Loop_face_index f) const;
   /// The source and the target that a LoopFace belongs to.
   Loop_label label(Loop_face_index f) const;
   /// LoopFaces are numbered from 0 on without gaps.

@@ -9,13 +9,17 @@
 /// predicates, so boxes rounded outwards to `double` serve every kernel, and the choice of an index never changes a
 /// result.
 ///
+/// An index may also have a member template `OutputIterator pairs(OutputIterator out) const` that writes all pairs of
+/// its own segments whose boxes meet, each once and the lower number first, as pairs of `std::uint32_t`. Then it is a
+/// `CCSweep::SelfJoiningSegmentIndex_2`, and is asked for this instead of once for every box.
+///
 /// Checked at compile time by `CCSweep::SegmentIndex_2`.
 ///
 /// What the imprint puts into it are not single segments but the boxes of short runs of consecutive ones, for outlines
 /// are ordered; so there are an eighth as many boxes and queries as segments.
 ///
 /// Models: `CCSweep::Rtree_segment_index_2` (the default), `CCSweep::Run_segment_index_2` (a hierarchy of boxes over runs
-/// of consecutive segments, which needs no sorting), `CCSweep::Brute_force_segment_index_2` (the oracle).
+/// of consecutive segments, which needs no sorting and joins itself), `CCSweep::Brute_force_segment_index_2` (the oracle).
 class SegmentIndex_2 {
  public:
   /// Takes the boxes of all segments. Segment `i` is the one with the box `boxes[i]`. Called once for each set of

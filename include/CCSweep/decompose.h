@@ -44,8 +44,8 @@ class Decomposer {
   static constexpr int refinements = 2;
 
  public:
-  Decomposer(const Part<Traits>& part, const Options& options, Visitor& visitor)
-      : part_(part), options_(options), visitor_(visitor), run_(visitor) {}
+  Decomposer(const Part<Traits>& part, const Options& options, Visitor& visitor, Stage_runner<Visitor>& run)
+      : part_(part), options_(options), visitor_(visitor), run_(run) {}
 
   Result_type run() {
     const std::vector<Roles> candidates =
@@ -139,7 +139,7 @@ class Decomposer {
   const Part<Traits>& part_;
   const Options& options_;
   Visitor& visitor_;
-  Stage_runner<Visitor> run_;
+  Stage_runner<Visitor>& run_;
 };
 
 }  // namespace internal
@@ -167,10 +167,15 @@ auto decompose(const FaceGraph& mesh, const NamedParameters& np)
   using Traits = typename Call::Traits;
   return internal::guarded([&] {
     auto&& visitor = Call::visitor(np);
+    using Visitor = std::remove_reference_t<decltype(visitor)>;
     const internal::Options options = internal::unpack(np);
-    const Part<Traits> part = internal::read_input<Traits>(mesh, Call::points(mesh, np), Call::patches(np));
-    return internal::Decomposer<Traits, typename Call::Segment_index, typename Call::Point_index,
-                                std::remove_reference_t<decltype(visitor)>>(part, options, visitor)
+    internal::Stage_runner<Visitor> run(visitor);
+    const Part<Traits> part = run(Stage::part, [&] {
+      return internal::guarded(
+          [&] { return internal::read_input<Traits>(mesh, Call::points(mesh, np), Call::patches(np)); });
+    });
+    return internal::Decomposer<Traits, typename Call::Segment_index, typename Call::Point_index, Visitor>(
+               part, options, visitor, run)
         .run();
   });
 }

@@ -10,9 +10,10 @@
 #include <compare>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <ostream>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace CCSweep {
@@ -56,6 +57,12 @@ class Loop_face_graph {
   using Edge_index = Loop_edge;
   using Face_index = Loop_index;
 
+  /// Makes room for so many edges, with so many nodes together.
+  void reserve(std::size_t edges, std::size_t nodes) {
+    coedges_.reserve(2 * edges);
+    nodes_.reserve(2 * nodes);
+  }
+
   /// Adds a LoopVertex at a node of the layer.
   Vertex_index add_vertex(Node_index node) {
     vertices_.push_back({node, Halfedge_index()});
@@ -64,11 +71,10 @@ class Loop_face_graph {
 
   /// Adds a LoopEdge that runs through `nodes`, both end nodes included; returns its coedge from `source` to
   /// `target`. The coedges belong to no loop and have no neighbours yet.
-  Halfedge_index add_edge(Vertex_index source, Vertex_index target, std::vector<Node_index> nodes) {
+  Halfedge_index add_edge(Vertex_index source, Vertex_index target, const std::vector<Node_index>& nodes) {
     const Halfedge_index forward(coedges_.size());
-    std::vector<Node_index> reversed(nodes.rbegin(), nodes.rend());
-    coedges_.push_back({target, {}, {}, {}, std::move(nodes)});
-    coedges_.push_back({source, {}, {}, {}, std::move(reversed)});
+    coedges_.push_back({target, {}, {}, {}, add_nodes(nodes.begin(), nodes.end())});
+    coedges_.push_back({source, {}, {}, {}, add_nodes(nodes.rbegin(), nodes.rend())});
     vertices_[target.value()].coedge = forward;
     vertices_[source.value()].coedge = opposite(forward);
     return forward;
@@ -84,10 +90,10 @@ class Loop_face_graph {
   /// and the loops must belong to no LoopFace yet. Linear in the number of coedges.
   Loop_face_index add_loop_face(Loop_label label, Halfedge_index outer, const std::vector<Halfedge_index>& inner = {}) {
     const Loop_face_index face(loop_faces_.size());
-    loop_faces_.push_back({label, {}});
-    loop_faces_.back().loops.reserve(1 + inner.size());
-    loop_faces_.back().loops.push_back(add_loop(outer, face));
-    for (Halfedge_index coedge : inner) loop_faces_.back().loops.push_back(add_loop(coedge, face));
+    loop_faces_.push_back(
+        {label, static_cast<std::uint32_t>(loops_.size()), static_cast<std::uint32_t>(1 + inner.size())});
+    add_loop(outer, face);
+    for (Halfedge_index coedge : inner) add_loop(coedge, face);
     return face;
   }
 
@@ -112,7 +118,10 @@ class Loop_face_graph {
   /// The node of a vertex.
   Node_index node(Vertex_index v) const { return vertices_[v.value()].node; }
   /// The nodes of the coedge in its own direction, both ends included.
-  const std::vector<Node_index>& nodes(Halfedge_index h) const { return coedges_[h.value()].nodes; }
+  std::span<const Node_index> nodes(Halfedge_index h) const {
+    const Range& range = coedges_[h.value()].nodes;
+    return {nodes_.data() + range.first, range.size};
+  }
 
   /// The LoopFace of a loop.
   Loop_face_index loop_face(Face_index loop) const { return loops_[loop.value()].loop_face; }
@@ -122,7 +131,10 @@ class Loop_face_graph {
     return loop.is_valid() ? loop_face(loop) : Loop_face_index();
   }
   /// All loops of a LoopFace, the outer one first.
-  const std::vector<Face_index>& loops(Loop_face_index f) const { return loop_faces_[f.value()].loops; }
+  std::span<const Face_index> loops(Loop_face_index f) const {
+    const Loop_face& face = loop_faces_[f.value()];
+    return {numbers_.data() + face.first_loop, face.number_of_loops};
+  }
   Face_index outer_loop(Loop_face_index f) const { return loops(f).front(); }
   bool is_outer(Face_index loop) const { return outer_loop(loop_face(loop)) == loop; }
   /// The source and the target that the LoopFace is part of.
@@ -138,7 +150,8 @@ class Loop_face_graph {
     std::vector<Node_index> result;
     Halfedge_index h = halfedge(loop);
     do {
-      result.insert(result.end(), nodes(h).begin(), nodes(h).end() - 1);
+      const std::span<const Node_index> path = nodes(h);
+      result.insert(result.end(), path.begin(), path.end() - 1);
       h = next(h);
     } while (h != halfedge(loop));
     return result;
@@ -149,11 +162,14 @@ class Loop_face_graph {
     Node_index node;
     Halfedge_index coedge;
   };
+  struct Range {
+    std::uint32_t first, size;
+  };
   struct Coedge {
     Vertex_index target;
     Halfedge_index next, prev;
     Face_index loop;
-    std::vector<Node_index> nodes;
+    Range nodes;
   };
   struct Loop {
     Halfedge_index coedge;
@@ -161,23 +177,32 @@ class Loop_face_graph {
   };
   struct Loop_face {
     Loop_label label;
-    std::vector<Face_index> loops;
+    std::uint32_t first_loop, number_of_loops;
   };
 
-  Face_index add_loop(Halfedge_index start, Loop_face_index face) {
+  template <class Iterator>
+  Range add_nodes(Iterator first, Iterator last) {
+    const std::size_t size = nodes_.size();
+    nodes_.insert(nodes_.end(), first, last);
+    return {static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(nodes_.size() - size)};
+  }
+
+  void add_loop(Halfedge_index start, Loop_face_index face) {
     const Face_index loop(loops_.size());
     loops_.push_back({start, face});
+    numbers_.push_back(loop);
     Halfedge_index h = start;
     do {
       coedges_[h.value()].loop = loop;
       h = next(h);
     } while (h != start);
-    return loop;
   }
 
   std::vector<Vertex> vertices_;
   std::vector<Coedge> coedges_;
+  std::vector<Node_index> nodes_;  // of all coedges, one after the other
   std::vector<Loop> loops_;
+  std::vector<Face_index> numbers_;  // of all loops; those of a LoopFace follow one another
   std::vector<Loop_face> loop_faces_;
 };
 
@@ -187,10 +212,10 @@ template <class Graph>
 concept LoopFaceGraph = requires(const Graph& graph, typename Graph::Halfedge_index h, typename Graph::Vertex_index v,
                                  typename Graph::Face_index loop, Loop_face_index f) {
   { graph.node(v) } -> std::convertible_to<Node_index>;
-  { graph.nodes(h) } -> std::convertible_to<std::vector<Node_index>>;
+  { graph.nodes(h) } -> std::convertible_to<std::span<const Node_index>>;
   { graph.loop_face(loop) } -> std::convertible_to<Loop_face_index>;
   { graph.outer_loop(f) } -> std::convertible_to<typename Graph::Face_index>;
-  { graph.loops(f) } -> std::convertible_to<std::vector<typename Graph::Face_index>>;
+  { graph.loops(f) } -> std::convertible_to<std::span<const typename Graph::Face_index>>;
   { graph.label(f) } -> std::convertible_to<Loop_label>;
   { graph.number_of_loop_faces() } -> std::convertible_to<std::size_t>;
 };

@@ -13,12 +13,13 @@
 #include <CCSweep/loops/overlay_edges.h>
 #include <CCSweep/loops/overlay_pieces.h>
 #include <CCSweep/loops/overlay_snap.h>
+#include <CCSweep/loops/overlay_table.h>
 #include <CCSweep/loops/segment_index.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -120,24 +121,25 @@ void draw_loops(Layer_drawing<Traits>& drawing, const std::vector<std::vector<ty
 // Finds the labels of the drawing of which nothing is left.
 template <class Traits>
 void find_lost(const Layer_drawing<Traits>& drawing, Imprint<Traits>& imprint) {
-  std::vector<int> before, after;
+  Number_set known;
+  known.insert(Loop_label::none);
   Loop_label last;
-  for (const auto& segment : drawing.segments) {
-    for (const Loop_label& l : {segment.left, segment.right}) {
-      if (l.empty() || l == last) continue;
-      before.insert(before.end(), {l.source, l.target});
-      last = l;
-    }
-  }
-  after.push_back(Loop_label::none);
   for (std::size_t f = 0; f < imprint.graph.number_of_loop_faces(); ++f) {
     const Loop_label l = imprint.graph.label(Loop_face_index(f));
-    after.insert(after.end(), {l.source, l.target});
+    if (l.source != last.source) known.insert(l.source);
+    if (l.target != last.target) known.insert(l.target);
+    last = l;
   }
-  std::sort(before.begin(), before.end());
-  before.erase(std::unique(before.begin(), before.end()), before.end());
-  std::sort(after.begin(), after.end());
-  std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(imprint.lost));
+  std::array<Loop_label, 2> sides;
+  for (const auto& segment : drawing.segments) {
+    if (segment.left == sides[0] && segment.right == sides[1]) continue;
+    sides = {segment.left, segment.right};
+    for (const Loop_label& l : sides) {
+      if (known.insert(l.source)) imprint.lost.push_back(l.source);
+      if (known.insert(l.target)) imprint.lost.push_back(l.target);
+    }
+  }
+  std::sort(imprint.lost.begin(), imprint.lost.end());
 }
 
 template <class Traits, class SegmentIndex>
@@ -150,7 +152,7 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
   Layer_nodes<Traits>& nodes = snapped.nodes;
 
   const auto is_fixed = [&](std::size_t s) { return drawing.segments[s].fixed; };
-  Pieces pieces(nodes, snapped.chains, is_fixed, std::move(snapped.near), tolerance, off);
+  Pieces pieces(nodes, snapped.chains, is_fixed, snapped.twins, std::move(snapped.near), tolerance, off);
   pieces.split_all();
   result.chains = pieces.expanded();
 
@@ -203,9 +205,7 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
 /// O((n + k) log n) for n segments and k crossings and snaps, where boxes of distant segments seldom overlap.
 template <SweepTraits Traits, SegmentIndex_2 SegmentIndex = Rtree_segment_index_2<Traits>>
 Result<Imprint<Traits>> imprint_layer(const Layer_drawing<Traits>& drawing, double tolerance) {
-  return internal::guarded([&] {
-    return internal::imprinted<Traits, SegmentIndex>(drawing, tolerance);
-  });
+  return internal::guarded([&] { return internal::imprinted<Traits, SegmentIndex>(drawing, tolerance); });
 }
 
 /// The imprint operator of Fig. 11 for two faces: cuts S and T into what they share and what is in one of them only,

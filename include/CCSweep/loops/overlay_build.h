@@ -7,6 +7,7 @@
 #include <CCSweep/loops/overlay_planar_map.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@ class Graph_builder {
     for (std::size_t n = 0; n < nodes.points.size(); ++n) {
       is_end_[n] = map.degree(Node_index(n)) > 0 && (map.degree(Node_index(n)) != 2 || nodes.corner[n]);
     }
+    graph_.reserve(coedges_.size() / 2, map.number_of_path_nodes());
     add_edges();
     link();
     add_faces(labels);
@@ -34,21 +36,21 @@ class Graph_builder {
 
  private:
   void add_edges() {
-    for (std::size_t h = 0; h < coedges_.size(); ++h) {
+    for (std::uint32_t h = 0; h < coedges_.size(); ++h) {
       if (!coedges_[h].is_valid() && is_end(map_.source(h))) add_edge(h);
     }
     // What is left are closed curves without a vertex. They get one here, and the second by the rule below.
-    for (std::size_t h = 0; h < coedges_.size(); ++h) {
+    for (std::uint32_t h = 0; h < coedges_.size(); ++h) {
       if (coedges_[h].is_valid()) continue;
       is_end_[map_.source(h).value()] = true;
       add_edge(h);
     }
   }
 
-  void add_edge(std::size_t start) {
+  void add_edge(std::uint32_t start) {
     run_.assign(1, start);
     while (!is_end(map_.target(run_.back()))) run_.push_back(map_.next(run_.back()));
-    const std::span<const std::size_t> run(run_);
+    const std::span<const std::uint32_t> run(run_);
     if (map_.target(run.back()) != map_.source(start)) return add_edge(run);
     // A curve that returns to its only vertex gets another one, for a self-loop is no edge of a halfedge graph.
     const std::size_t half = run.size() / 2;
@@ -57,48 +59,45 @@ class Graph_builder {
     add_edge(run.subspan(half));
   }
 
-  void add_edge(std::span<const std::size_t> run) {
-    std::vector<Node_index> chain = nodes(run);
-    const Loop_vertex_index source = vertex(chain.front()), target = vertex(chain.back());
-    const Loop_coedge_index coedge = graph_.add_edge(source, target, std::move(chain));
-    for (std::size_t h : run) {
+  void add_edge(std::span<const std::uint32_t> run) {
+    collect_nodes(run);
+    const Loop_vertex_index source = vertex(chain_.front()), target = vertex(chain_.back());
+    const Loop_coedge_index coedge = graph_.add_edge(source, target, chain_);
+    for (std::uint32_t h : run) {
       coedges_[h] = coedge;
       coedges_[h ^ 1] = graph_.opposite(coedge);
     }
   }
 
-  std::vector<Node_index> nodes(std::span<const std::size_t> run) const {
-    std::size_t size = 1;
-    for (std::size_t h : run) size += map_.path(h / 2).size() - 1;
-    std::vector<Node_index> result;
-    result.reserve(size);
-    result.push_back(map_.source(run.front()));
-    for (std::size_t h : run) {
+  void collect_nodes(std::span<const std::uint32_t> run) {
+    chain_.assign(1, map_.source(run.front()));
+    for (std::uint32_t h : run) {
       const std::span<const Node_index> path = map_.path(h / 2);
       if (h % 2 == 0) {
-        result.insert(result.end(), path.begin() + 1, path.end());
+        chain_.insert(chain_.end(), path.begin() + 1, path.end());
       } else {
-        result.insert(result.end(), path.rbegin() + 1, path.rend());
+        chain_.insert(chain_.end(), path.rbegin() + 1, path.rend());
       }
     }
-    return result;
   }
 
   void link() {
-    for (std::size_t h = 0; h < coedges_.size(); ++h) {
+    for (std::uint32_t h = 0; h < coedges_.size(); ++h) {
       if (is_end(map_.target(h))) graph_.set_next(coedges_[h], coedges_[map_.next(h)]);
     }
   }
 
   void add_faces(const std::vector<Loop_label>& labels) {
     std::vector<Loop_coedge_index> inner;
-    for (std::size_t face = 1; face < map_.number_of_faces(); ++face) {
+    for (std::uint32_t face = 1; face < map_.number_of_faces(); ++face) {
       if (labels[face].empty()) continue;
       Loop_coedge_index outer;
       inner.clear();
-      map_.for_each_cycle(face, [&](std::size_t h) {
-        if (outer.is_valid()) inner.push_back(coedges_[h]);
-        else outer = coedges_[h];
+      map_.for_each_cycle(face, [&](std::uint32_t h) {
+        if (outer.is_valid())
+          inner.push_back(coedges_[h]);
+        else
+          outer = coedges_[h];
       });
       graph_.add_loop_face(labels[face], outer, inner);
     }
@@ -117,7 +116,8 @@ class Graph_builder {
   std::vector<Loop_coedge_index> coedges_;
   std::vector<Loop_vertex_index> vertices_;
   std::vector<bool> is_end_;
-  std::vector<std::size_t> run_;
+  std::vector<std::uint32_t> run_;
+  std::vector<Node_index> chain_;  // the nodes of the run
 };
 
 }  // namespace CCSweep::internal

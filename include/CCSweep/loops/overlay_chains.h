@@ -5,9 +5,11 @@
 
 #include <CCSweep/indices.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace CCSweep {
@@ -16,6 +18,11 @@ namespace CCSweep {
 /// two or three nodes.
 class Node_chains {
  public:
+  Node_chains() = default;
+  /// Chains of all their nodes and the number of nodes up to the end of each.
+  Node_chains(std::vector<Node_index> nodes, std::vector<std::uint32_t> ends)
+      : nodes_(std::move(nodes)), ends_(std::move(ends)) {}
+
   std::size_t size() const { return ends_.size(); }
   bool empty() const { return ends_.empty(); }
   /// The nodes of a chain; they stay where they are until the next change.
@@ -40,7 +47,10 @@ class Node_chains {
     const std::uint32_t from = first == 0 ? 0 : other.ends_[first - 1];
     const std::uint32_t size = static_cast<std::uint32_t>(nodes_.size());
     nodes_.insert(nodes_.end(), other.nodes_.begin() + from, other.nodes_.begin() + other.ends_[last - 1]);
-    for (std::size_t c = first; c < last; ++c) ends_.push_back(other.ends_[c] - from + size);
+    const auto moved = [from, size](std::uint32_t end) { return end - from + size; };
+    const std::size_t chains = ends_.size();
+    ends_.resize(chains + last - first);
+    std::transform(other.ends_.begin() + first, other.ends_.begin() + last, ends_.begin() + chains, moved);
   }
   void close() { ends_.push_back(static_cast<std::uint32_t>(nodes_.size())); }
 

@@ -106,8 +106,8 @@ class Crossing_pool {
   // The node where the segments p[0] p[1] and p[2] p[3] cross, where p are the points of `ends`. Where `tolerant`, a
   // crossing made before is taken if it is within the tolerance.
   Crossing crossing(const std::array<Node_index, 4>& ends, bool fixed, bool tolerant) {
-    const Point_2 point = constructed(
-        {nodes_.point(ends[0]), nodes_.point(ends[1]), nodes_.point(ends[2]), nodes_.point(ends[3])});
+    const Point_2 point =
+        constructed({nodes_.point(ends[0]), nodes_.point(ends[1]), nodes_.point(ends[2]), nodes_.point(ends[3])});
     if constexpr (exact_constructions) {
       if (const auto same = known_.find(point); same != known_.end()) return {same->second, true};
     }
@@ -119,12 +119,12 @@ class Crossing_pool {
 
   // The same where no other node is within the tolerance than those at the ends of the two.
   Crossing lonely_crossing(const std::array<Node_index, 4>& ends, bool fixed) {
-    const Point_2 point = constructed(
-        {nodes_.point(ends[0]), nodes_.point(ends[1]), nodes_.point(ends[2]), nodes_.point(ends[3])});
+    const Point_2 point =
+        constructed({nodes_.point(ends[0]), nodes_.point(ends[1]), nodes_.point(ends[2]), nodes_.point(ends[3])});
     if constexpr (!exact_constructions) {
       const Place_2 place{CGAL::to_double(point.x()), CGAL::to_double(point.y())};
       for (Node_index n : ends) {
-        if (distance(place, nodes_.place(n)) <= rounding_) return {n, false};
+        if (are_within(place, nodes_.place(n), rounding_)) return {n, false};
       }
     }
     return {nodes_.add(point, fixed), exact_constructions};
@@ -158,9 +158,7 @@ class Crossing_pool {
       // Where the segments are nearly parallel, rounding may take the crossing anywhere along them.
       const auto place = [](const auto& q) { return Place_2{CGAL::to_double(q.x()), CGAL::to_double(q.y())}; };
       const Place_2 found{CGAL::to_double(result[0]), CGAL::to_double(result[1])};
-      const double off = std::fmax(closest(found, place(p[0]), place(p[1])).distance,
-                                   closest(found, place(p[2]), place(p[3])).distance);
-      if (!(off <= rounding_)) {
+      if (!is_on(found, place(p[0]), place(p[1]), rounding_) || !is_on(found, place(p[2]), place(p[3]), rounding_)) {
         const auto exact = solved_as<CGAL::Exact_rational>(p);
         return Point_2(FT(CGAL::to_double(exact[0])), FT(CGAL::to_double(exact[1])));
       }

@@ -8,6 +8,7 @@
 #include <CCSweep/loops/overlay_crossing.h>
 #include <CCSweep/loops/overlay_labels.h>
 #include <CCSweep/loops/overlay_nodes.h>
+#include <CCSweep/loops/overlay_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -115,20 +116,11 @@ class Edge_sum {
 
   // By the node they begin at, in linear time, then by the rest.
   void sort() {
-    std::vector<std::uint32_t> place(nodes_.points.size() + 1, 0);
-    for (const Overlay_edge& edge : result_.edges) ++place[edge.a.value() + 1];
-    for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
-    std::vector<Overlay_edge> sorted(result_.edges.size());
-    for (const Overlay_edge& edge : result_.edges) sorted[place[edge.a.value()]++] = edge;
-    const auto less = [](const Overlay_edge& e, const Overlay_edge& f) {
-      return std::tie(e.b, e.size, e.sides, e.first) < std::tie(f.b, f.size, f.sides, f.first);
-    };
-    for (auto first = sorted.begin(); first != sorted.end();) {
-      const auto last = std::find_if(first, sorted.end(), [&](const Overlay_edge& e) { return e.a != first->a; });
-      if (last - first > 1) std::sort(first, last, less);
-      first = last;
-    }
-    result_.edges = std::move(sorted);
+    bucket_sort(
+        result_.edges, nodes_.points.size(), [](const Overlay_edge& e) { return e.a.value(); },
+        [](const Overlay_edge& e, const Overlay_edge& f) {
+          return std::tie(e.b, e.size, e.sides, e.first) < std::tie(f.b, f.size, f.sides, f.first);
+        });
   }
 
   // Paths of several pieces have nodes to themselves, so only single pieces coincide.
@@ -161,8 +153,7 @@ class Edge_sum {
     for (std::size_t i = first; i < last; ++i) said.push_back(edges[i].sides[set]);
     if (const std::optional<Sides> result = sum(said)) return *result;
     fail_imprint(nodes_, edges[first].a,
-                 set == 0 ? "sources that overlap along an edge" : "targets that overlap along an edge",
-                 patches(said));
+                 set == 0 ? "sources that overlap along an edge" : "targets that overlap along an edge", patches(said));
   }
 
   const Layer_nodes<Traits>& nodes_;

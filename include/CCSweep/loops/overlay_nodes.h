@@ -79,6 +79,28 @@ inline Closest closest(Place_2 p, Place_2 a, Place_2 b) {
   return {t, distance(p, {a[0] + t * dx, a[1] + t * dy})};
 }
 
+// Positive if p is left of the line ab and farther from it than `reach`, negative if so on the right, else 0. What
+// rounding does to the coordinates must be within the reach.
+inline double clear_side(Place_2 a, Place_2 b, Place_2 p, double reach) {
+  const double x = b[0] - a[0], y = b[1] - a[1];
+  const double side = x * (p[1] - a[1]) - y * (p[0] - a[0]);
+  return side * side > reach * reach * (x * x + y * y) ? side : 0;
+}
+
+// Whether p is certainly within `reach` of the segment ab, up to what rounding does to the coordinates.
+inline bool is_on(Place_2 p, Place_2 a, Place_2 b, double reach) {
+  const double half = reach / 2;
+  const auto is_between = [half](double x, double u, double v) {
+    return std::min(u, v) - half <= x && x <= std::max(u, v) + half;
+  };
+  return is_between(p[0], a[0], b[0]) && is_between(p[1], a[1], b[1]) && clear_side(a, b, p, half) == 0;
+}
+
+inline bool are_within(Place_2 a, Place_2 b, double reach) {
+  const double x = a[0] - b[0], y = a[1] - b[1];
+  return x * x + y * y <= reach * reach;
+}
+
 // Coordinates as they are, so that arithmetic with them errs by a few units in the last place only.
 template <class Traits>
 inline constexpr bool has_plain_coordinates = std::is_floating_point_v<typename Traits::FT>;

@@ -26,7 +26,8 @@ namespace CCSweep::internal {
 template <class Traits>
 class Planar_map {
  public:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  using Number = std::uint32_t;  // of a halfedge, an edge, a cycle or a face
+  static constexpr Number none = std::numeric_limits<Number>::max();
 
   Planar_map(const Layer_nodes<Traits>& nodes, const Overlay_edges& edges)
       : nodes_(nodes), all_(edges), edges_(edges.edges) {
@@ -37,37 +38,38 @@ class Planar_map {
     find_faces();
   }
 
-  std::size_t number_of_halfedges() const { return 2 * edges_.size(); }
-  std::size_t number_of_faces() const { return faces_.size(); }
-  Node_index source(std::size_t h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
-  Node_index target(std::size_t h) const { return source(h ^ 1); }
+  Number number_of_halfedges() const { return static_cast<Number>(2 * edges_.size()); }
+  Number number_of_faces() const { return static_cast<Number>(faces_.size()); }
+  Node_index source(Number h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
+  Node_index target(Number h) const { return source(h ^ 1); }
   // The nodes of an edge, from its lower end to its upper one.
-  std::span<const Node_index> path(std::size_t edge) const { return all_.path(edge); }
-  std::size_t next(std::size_t h) const { return next_[h]; }
-  std::size_t face(std::size_t h) const { return cycles_[cycle_[h]].face; }
-  Sides sides(std::size_t h, int set) const {
+  std::span<const Node_index> path(Number edge) const { return all_.path(edge); }
+  std::size_t number_of_path_nodes() const { return all_.nodes.size(); }
+  Number next(Number h) const { return next_[h]; }
+  Number face(Number h) const { return cycles_[cycle_[h]].face; }
+  Sides sides(Number h, int set) const {
     const Sides& sides = edges_[h / 2].sides[set];
     return h % 2 == 0 ? sides : Sides{sides.right, sides.left};
   }
   // Calls f with one halfedge of each cycle around a face: first the outer one, except on the unbounded face.
   template <class Function>
-  void for_each_cycle(std::size_t face, const Function& f) const {
-    for (std::size_t c = faces_[face].first; c != none; c = cycles_[c].next) f(cycles_[c].start);
+  void for_each_cycle(Number face, const Function& f) const {
+    for (Number c = faces_[face].first; c != none; c = cycles_[c].next) f(cycles_[c].start);
   }
   // The number of edges at a node.
   std::size_t degree(Node_index n) const { return first_[n.value() + 1] - first_[n.value()]; }
 
  private:
   struct Cycle {
-    std::size_t start;
-    std::size_t face = none;
-    std::size_t next = none;  // another one around the same face
+    Number start;
+    Number face = none;
+    Number next = none;  // another one around the same face
   };
   struct Face {
-    std::size_t first = none, last = none;  // of its cycles
+    Number first = none, last = none;  // of its cycles
   };
 
-  void add_to_face(std::size_t cycle, std::size_t face) {
+  void add_to_face(Number cycle, Number face) {
     cycles_[cycle].face = face;
     (faces_[face].first == none ? faces_[face].first : cycles_[faces_[face].last].next) = cycle;
     faces_[face].last = cycle;
@@ -76,12 +78,12 @@ class Planar_map {
   // Counterclockwise from the direction straight down, that one excluded: first those that ascend by xy.
   void sort_around_nodes() {
     first_.assign(nodes_.points.size() + 1, 0);
-    for (std::size_t h = 0; h < number_of_halfedges(); ++h) ++first_[source(h).value() + 1];
+    for (Number h = 0; h < number_of_halfedges(); ++h) ++first_[source(h).value() + 1];
     for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
     out_.resize(number_of_halfedges());
     std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
-    for (std::size_t h = 0; h < number_of_halfedges(); ++h) {
-      out_[end[source(h).value()]++] = static_cast<std::uint32_t>(h);
+    for (Number h = 0; h < number_of_halfedges(); ++h) {
+      out_[end[source(h).value()]++] = h;
     }
     const auto before = [this](std::uint32_t g, std::uint32_t h) {
       if (ascends(g) != ascends(h)) return ascends(g);
@@ -97,7 +99,7 @@ class Planar_map {
   void link() {
     next_.resize(number_of_halfedges());
     for (std::size_t n = 0; n + 1 < first_.size(); ++n) {
-      for (std::size_t i = first_[n]; i < first_[n + 1]; ++i) {
+      for (Number i = first_[n]; i < first_[n + 1]; ++i) {
         next_[out_[i] ^ 1] = out_[i == first_[n] ? first_[n + 1] - 1 : i - 1];
       }
     }
@@ -105,9 +107,9 @@ class Planar_map {
 
   void find_cycles() {
     cycle_.assign(number_of_halfedges(), none);
-    for (std::size_t start = 0; start < cycle_.size(); ++start) {
+    for (Number start = 0; start < cycle_.size(); ++start) {
       if (cycle_[start] != none) continue;
-      for (std::size_t h = start; cycle_[h] == none; h = next_[h]) cycle_[h] = cycles_.size();
+      for (Number h = start; cycle_[h] == none; h = next_[h]) cycle_[h] = static_cast<Number>(cycles_.size());
       cycles_.push_back({start});
     }
   }
@@ -138,16 +140,16 @@ class Planar_map {
 
   // At the lowest node of a component everything ascends, so the wedge left of the last halfedge opens to the
   // outside: its cycle goes around the component. All other cycles are outer ones of a face of their own.
-  std::size_t cycle_around(Node_index lowest) const { return cycle_[out_[first_[lowest.value() + 1] - 1]]; }
+  Number cycle_around(Node_index lowest) const { return cycle_[out_[first_[lowest.value() + 1] - 1]]; }
 
   void find_faces() {
     for (Node_index n : lowest_) cycles_[cycle_around(n)].face = 0;
     faces_.reserve(cycles_.size() + 1);
     faces_.emplace_back();
-    for (std::size_t c = 0; c < cycles_.size(); ++c) {
+    for (Number c = 0; c < cycles_.size(); ++c) {
       if (cycles_[c].face == 0) continue;
       faces_.emplace_back();
-      add_to_face(c, faces_.size() - 1);
+      add_to_face(c, number_of_faces() - 1);
     }
     nest();
   }
@@ -157,7 +159,7 @@ class Planar_map {
     using is_transparent = void;
     const Planar_map* map;
 
-    bool operator()(std::size_t e, std::size_t f) const {
+    bool operator()(Number e, Number f) const {
       if (e == f) return false;
       const Planar_map& m = *map;
       const Node_index a = m.edges_[e].a, b = m.edges_[f].a;
@@ -167,21 +169,21 @@ class Planar_map {
       if (m.is_less(a, b)) return m.turns(e, b) == CGAL::LEFT_TURN;
       return m.turns(f, a) == CGAL::RIGHT_TURN;
     }
-    bool operator()(std::size_t e, Node_index n) const { return map->turns(e, n) == CGAL::LEFT_TURN; }
-    bool operator()(Node_index n, std::size_t e) const { return map->turns(e, n) == CGAL::RIGHT_TURN; }
+    bool operator()(Number e, Node_index n) const { return map->turns(e, n) == CGAL::LEFT_TURN; }
+    bool operator()(Node_index n, Number e) const { return map->turns(e, n) == CGAL::RIGHT_TURN; }
   };
 
-  static bool ascends(std::size_t h) { return h % 2 == 0; }
+  static bool ascends(Number h) { return h % 2 == 0; }
   const typename Traits::Point_2& point(Node_index n) const { return nodes_.point(n); }
   bool is_less(Node_index n, Node_index m) const { return is_less_xy<Traits>(point(n), point(m)); }
   // The node after the source of a halfedge.
-  Node_index second(std::size_t h) const {
+  Node_index second(Number h) const {
     const std::span<const Node_index> nodes = path(h / 2);
     return ascends(h) ? nodes[1] : nodes[nodes.size() - 2];
   }
 
   // On which side of an edge a node is that is between its ends by xy.
-  CGAL::Orientation turns(std::size_t edge, Node_index n) const {
+  CGAL::Orientation turns(Number edge, Node_index n) const {
     const std::span<const Node_index> nodes = path(edge);
     const auto upper =
         std::partition_point(nodes.begin() + 1, nodes.end() - 1, [&](Node_index m) { return is_less(m, n); });
@@ -206,7 +208,7 @@ class Planar_map {
     std::vector<std::uint32_t> starts = edges_around_lowest(), ends = starts;
     std::sort(starts.begin(), starts.end(), [&](auto e, auto f) { return is_less(edges_[e].a, edges_[f].a); });
     std::sort(ends.begin(), ends.end(), [&](auto e, auto f) { return is_less(edges_[e].b, edges_[f].b); });
-    using Status_line = std::set<std::size_t, Below>;
+    using Status_line = std::set<Number, Below>;
     Status_line line(Below{this});
     std::vector<typename Status_line::iterator> places(edges_.size(), line.end());
     auto start = starts.begin(), end = ends.begin();
@@ -227,8 +229,8 @@ class Planar_map {
   const Layer_nodes<Traits>& nodes_;
   const Overlay_edges& all_;
   const std::vector<Overlay_edge>& edges_;
-  std::vector<std::uint32_t> first_, out_;  // the halfedges that leave each node
-  std::vector<std::size_t> next_, cycle_;
+  std::vector<Number> first_, out_;  // the halfedges that leave each node
+  std::vector<Number> next_, cycle_;
   std::vector<Cycle> cycles_;
   std::vector<Node_index> lowest_;
   std::vector<Face> faces_;
@@ -240,10 +242,10 @@ template <class Traits>
 std::vector<Loop_label> flooded_labels(const Planar_map<Traits>& map, const Layer_nodes<Traits>& nodes) {
   std::vector<std::array<int, 2>> labels(map.number_of_faces(), {Loop_label::none, Loop_label::none});
   std::vector<bool> seen(map.number_of_faces(), false);
-  std::vector<std::size_t> queue{0};
+  std::vector<std::uint32_t> queue{0};
   seen[0] = true;
-  const auto visit = [&](std::size_t h) {
-    const std::size_t face = map.face(h), other = map.face(h ^ 1);
+  const auto visit = [&](std::uint32_t h) {
+    const std::uint32_t face = map.face(h), other = map.face(h ^ 1);
     std::array<int, 2> across;
     for (int set : {0, 1}) {
       const Sides sides = map.sides(h, set);
@@ -265,8 +267,8 @@ std::vector<Loop_label> flooded_labels(const Planar_map<Traits>& map, const Laye
     queue.push_back(other);
   };
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    map.for_each_cycle(queue[i], [&](std::size_t start) {
-      std::size_t h = start;
+    map.for_each_cycle(queue[i], [&](std::uint32_t start) {
+      std::uint32_t h = start;
       do {
         visit(h);
         h = map.next(h);

@@ -24,14 +24,6 @@
 
 namespace CCSweep::internal {
 
-// The drawing after snapping: each of its segments as a chain of nodes.
-template <class Traits>
-struct Snapped_drawing {
-  Layer_nodes<Traits> nodes;
-  Node_chains chains;
-  std::vector<Near_pair> near;  // the steps of the chains that may meet
-};
-
 // Refuses what is no drawing. Returns how far rounding may take a constructed point from where it should be: a few
 // units in the last place of the largest coordinate.
 template <class Traits>
@@ -58,7 +50,7 @@ template <class Traits>
 Layer_nodes<Traits> drawn_nodes(const Layer_drawing<Traits>& drawing) {
   const std::size_t size = drawing.nodes.size();
   Layer_nodes<Traits> nodes;
-  nodes.points.reserve(size);
+  nodes.points.reserve(2 * size);  // those at crossings will follow
   nodes.representative.reserve(size);
   nodes.fixed.assign(size, false);
   nodes.corner.assign(size, false);
@@ -80,36 +72,19 @@ Layer_nodes<Traits> drawn_nodes(const Layer_drawing<Traits>& drawing) {
 
 template <class Traits>
 Node_chains straight_chains(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes) {
-  Node_chains result;
-  result.reserve(drawing.segments.size(), 2 * drawing.segments.size());
-  for (const auto& segment : drawing.segments) {
+  std::vector<Node_index> chained(2 * drawing.segments.size());
+  std::vector<std::uint32_t> ends(drawing.segments.size());
+  std::uint32_t size = 0;
+  for (std::size_t s = 0; s < ends.size(); ++s) {
+    const auto& segment = drawing.segments[s];
     const Node_index a = nodes.representative[segment.source.value()], b = nodes.representative[segment.target.value()];
-    result.push_back(a);
-    if (a != b) result.push_back(b);
-    result.close();
+    chained[size] = a;
+    chained[size + 1] = b;
+    size += a == b ? 1 : 2;
+    ends[s] = size;
   }
-  return result;
-}
-
-// Pairs of steps of the chains that come within twice `reach` of each other, except neighbours that run on.
-template <class SegmentIndex, class Traits>
-std::vector<Near_pair> near_steps(const Node_chains& chains, const Layer_nodes<Traits>& nodes, double reach) {
-  const std::size_t size = chains.number_of_nodes() - chains.size();
-  std::vector<Flat_box> boxes;
-  std::vector<std::array<Node_index, 2>> ends;
-  boxes.reserve(size);
-  ends.reserve(size);
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    const std::span<const Node_index> chain = chains[c];
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      ends.push_back({chain[i - 1], chain[i]});
-      boxes.push_back(flat_box(nodes.box(chain[i - 1], chain[i]), reach));
-    }
-  }
-  const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {
-    return !(j == i + 1 && runs_on(nodes, ends[i], ends[j])) && !are_apart(nodes, ends[i], ends[j], 2 * reach);
-  };
-  return Near_pairs<SegmentIndex, decltype(may_meet)>::of(boxes, may_meet);
+  chained.resize(size);
+  return {std::move(chained), std::move(ends)};
 }
 
 template <class Traits>
@@ -225,22 +200,53 @@ Node_chains snapped_chains(const Layer_drawing<Traits>& drawing, Layer_nodes<Tra
   return result;
 }
 
+// The drawing after snapping: each of its segments as a chain of nodes.
+template <class Traits>
+struct Snapped_drawing {
+  Layer_nodes<Traits> nodes;
+  Node_chains chains;
+  std::vector<std::uint32_t> twins;  // per step of the chains, as `first_twins` tells
+  std::vector<Near_pair> near;       // the steps that may meet, without twins
+};
+
+// Whether a set has several faces. They share nodes and edges, and what is shared is often drawn twice.
+template <class Traits>
+bool has_neighbours(const Layer_drawing<Traits>& drawing) {
+  Loop_label first;
+  const auto is_another = [](int label, int& known) {
+    if (known == Loop_label::none) known = label;
+    return label != Loop_label::none && label != known;
+  };
+  for (const auto& segment : drawing.segments) {
+    for (const Loop_label& label : {segment.left, segment.right}) {
+      if (is_another(label.source, first.source) || is_another(label.target, first.target)) return true;
+    }
+  }
+  return false;
+}
+
+// Whether there is nothing to snap; then the chains and what is near are found.
+template <class SegmentIndex, class Traits>
+bool is_snapped(const Layer_drawing<Traits>& drawing, double tolerance, double slack, Snapped_drawing<Traits>& result) {
+  double reach = tolerance;
+  if (tolerance > 0) {
+    for (const auto& segment : drawing.segments) reach = std::fmax(reach, segment.chord_error);
+  }
+  result.chains = straight_chains(drawing, result.nodes);
+  result.near = near_steps<SegmentIndex>(steps_of(result.chains), {}, result.nodes, reach + slack);
+  return !Snap_need<Traits>(drawing, result.nodes, tolerance).exists(result.near);
+}
+
 // Tolerant snapping (section 2.7); the rules stand at `imprint_layer`. `slack` is what may still move later on.
 template <class Traits, class SegmentIndex>
 Snapped_drawing<Traits> snap(const Layer_drawing<Traits>& drawing, double tolerance, double rounding, double slack) {
-  Snapped_drawing<Traits> result{drawn_nodes(drawing), {}, {}};
-  double chord_error = 0;
-  if (tolerance > 0) {
-    for (const auto& segment : drawing.segments) chord_error = std::fmax(chord_error, segment.chord_error);
-  }
-  result.chains = straight_chains(drawing, result.nodes);
-  result.near = near_steps<SegmentIndex>(result.chains, result.nodes, std::fmax(tolerance, chord_error) + slack);
-  if (Snap_need<Traits>(drawing, result.nodes, tolerance).exists(result.near)) {
-    const std::size_t size = result.chains.number_of_nodes();
-    result.chains = snapped_chains<Traits, SegmentIndex>(drawing, result.nodes, tolerance, rounding);
-    const bool only_names_changed = tolerance == 0 && result.chains.number_of_nodes() == size;
-    if (!only_names_changed) result.near = near_steps<SegmentIndex>(result.chains, result.nodes, tolerance + slack);
-  }
+  Snapped_drawing<Traits> result{drawn_nodes(drawing), {}, {}, {}};
+  const bool is_sure = tolerance == 0 && has_neighbours(drawing);
+  if (!is_sure && is_snapped<SegmentIndex>(drawing, tolerance, slack, result)) return result;
+  result.chains = snapped_chains<Traits, SegmentIndex>(drawing, result.nodes, tolerance, rounding);
+  const std::vector<Step> steps = steps_of(result.chains);
+  result.twins = first_twins(steps, result.nodes.points.size());
+  result.near = near_steps<SegmentIndex>(steps, result.twins, result.nodes, tolerance + slack);
   return result;
 }
 

@@ -76,6 +76,24 @@ class Number_table {
   std::size_t size_ = 0;
 };
 
+class Number_set {
+ public:
+  // Whether the number is new.
+  bool insert(int number) {
+    const std::uint64_t hash = mixed(std::uint64_t{0}, static_cast<std::uint32_t>(number));
+    bool is_new = true;
+    table_.for_each(hash, [&](std::uint32_t place) { is_new = is_new && numbers_[place] != number; });
+    if (!is_new) return false;
+    table_.insert(hash, static_cast<std::uint32_t>(numbers_.size()));
+    numbers_.push_back(number);
+    return true;
+  }
+
+ private:
+  Number_table table_;
+  std::vector<int> numbers_;
+};
+
 }  // namespace CCSweep::internal
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace CCSweep {
@@ -53,7 +54,7 @@ std::size_t number_of_components(const Graph& g) {
 template <class Graph>
 bool are_edges_valid(const Graph& g) {
   return std::all_of(halfedges(g).begin(), halfedges(g).end(), [&](Loop_coedge_index h) {
-    const std::vector<Node_index>&nodes = g.nodes(h), &back = g.nodes(g.opposite(h));
+    const std::span<const Node_index> nodes = g.nodes(h), back = g.nodes(g.opposite(h));
     return nodes.size() >= 2 && g.source(h) != g.target(h) && nodes.front() == g.node(g.source(h)) &&
            nodes.back() == g.node(g.target(h)) && std::equal(nodes.begin(), nodes.end(), back.rbegin(), back.rend()) &&
            g.label(h) != g.label(g.opposite(h));

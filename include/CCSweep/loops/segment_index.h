@@ -29,6 +29,14 @@ concept SegmentIndex_2 = std::constructible_from < Index,
   index.candidates(box, std::back_inserter(found));
 };
 
+/// An index that finds all pairs of its own segments whose boxes meet at once, the lower number first, each pair once,
+/// in any order; it may report more. Where an index can, it is asked for this instead of once for every segment.
+template <class Index>
+concept SelfJoiningSegmentIndex_2 = SegmentIndex_2<Index> &&
+    requires(const Index& index, std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) {
+  index.pairs(std::back_inserter(found));
+};
+
 /// Model of `SegmentIndex_2`: a packed r-tree. Building takes O(n log n), a query O(log n + found) on well spread
 /// input. `Traits` is the kernel of the segments.
 template <class Traits>
@@ -66,9 +74,9 @@ class Rtree_segment_index_2 {
   Tree tree_;
 };
 
-/// Model of `SegmentIndex_2`: a hierarchy of boxes over runs of consecutive segments. Outlines are ordered, so nothing
-/// is sorted: building is linear, and a query takes O(log n + found) where neighbours in the sequence lie side by side.
-/// On segments in no order a query takes O(n). `Traits` is the kernel of the segments.
+/// Model of `SelfJoiningSegmentIndex_2`: a hierarchy of boxes over runs of consecutive segments. Outlines are ordered,
+/// so nothing is sorted: building is linear, and a query takes O(log n + found) where neighbours in the sequence lie
+/// side by side. On segments in no order a query takes O(n). `Traits` is the kernel of the segments.
 template <class Traits>
 class Run_segment_index_2 {
  public:
@@ -88,7 +96,14 @@ class Run_segment_index_2 {
   /// Writes the numbers of all segments whose box meets `box`, ascending.
   template <class OutputIterator>
   OutputIterator candidates(const CGAL::Bbox_2& box, OutputIterator out) const {
-    if (levels_.front().size > 0) descend(levels_.size() - 1, 0, box, out);
+    if (levels_.front().size > 0 && meet(boxes_.back(), box)) descend(levels_.size() - 1, 0, box, out);
+    return out;
+  }
+
+  /// Writes the pairs of all segments whose boxes meet.
+  template <class OutputIterator>
+  OutputIterator pairs(OutputIterator out) const {
+    if (levels_.front().size > 0) join(levels_.size() - 1, 0, out);
     return out;
   }
 
@@ -98,15 +113,66 @@ class Run_segment_index_2 {
     std::size_t first, size;  // in boxes_; level 0 are the segments
   };
 
+  const CGAL::Bbox_2& box(std::size_t level, std::size_t run) const { return boxes_[levels_[level].first + run]; }
+
+  // The number after the last of the runs, one level below, that a run is made of.
+  std::size_t end(std::size_t level, std::size_t run) const {
+    return std::min(fan * (run + 1), levels_[level - 1].size);
+  }
+
+  // All four, as a branch that can't be foreseen takes longer.
+  static bool meet(const CGAL::Bbox_2& a, const CGAL::Bbox_2& b) {
+    return static_cast<bool>((a.xmin() <= b.xmax()) & (b.xmin() <= a.xmax()) & (a.ymin() <= b.ymax()) &
+                             (b.ymin() <= a.ymax()));
+  }
+
+  // Writes those runs, one level below, that a run is made of and that meet a box.
+  std::size_t* meeting(std::size_t level, std::size_t run, const CGAL::Bbox_2& other, std::size_t* out) const {
+    for (std::size_t i = fan * run; i < end(level, run); ++i) {
+      *out = i;
+      out += meet(box(level - 1, i), other);
+    }
+    return out;
+  }
+
+  // For a run that meets the box.
   template <class OutputIterator>
-  void descend(std::size_t level, std::size_t run, const CGAL::Bbox_2& box, OutputIterator& out) const {
-    if (!CGAL::do_overlap(boxes_[levels_[level].first + run], box)) return;
+  void descend(std::size_t level, std::size_t run, const CGAL::Bbox_2& other, OutputIterator& out) const {
     if (level == 0) {
       *out++ = run;
       return;
     }
-    const std::size_t end = std::min(fan * (run + 1), levels_[level - 1].size);
-    for (std::size_t i = fan * run; i < end; ++i) descend(level - 1, i, box, out);
+    std::size_t parts[fan];
+    const std::size_t* const last = meeting(level, run, other, parts);
+    for (const std::size_t* i = parts; i != last; ++i) descend(level - 1, *i, other, out);
+  }
+
+  template <class OutputIterator>
+  void join(std::size_t level, std::size_t run, OutputIterator& out) const {
+    if (level == 0) return;
+    for (std::size_t i = fan * run; i < end(level, run); ++i) {
+      join(level - 1, i, out);
+      for (std::size_t j = i + 1; j < end(level, run); ++j) {
+        if (meet(box(level - 1, i), box(level - 1, j))) join(level - 1, i, j, out);
+      }
+    }
+  }
+
+  // For two runs that meet.
+  template <class OutputIterator>
+  void join(std::size_t level, std::size_t run, std::size_t other, OutputIterator& out) const {
+    if (level == 0) {
+      *out++ = std::pair(static_cast<std::uint32_t>(run), static_cast<std::uint32_t>(other));
+      return;
+    }
+    std::size_t parts[fan], other_parts[fan];
+    const std::size_t* const last = meeting(level, run, box(level, other), parts);
+    const std::size_t* const other_last = meeting(level, other, box(level, run), other_parts);
+    for (const std::size_t* i = parts; i != last; ++i) {
+      for (const std::size_t* j = other_parts; j != other_last; ++j) {
+        if (meet(box(level - 1, *i), box(level - 1, *j))) join(level - 1, *i, *j, out);
+      }
+    }
   }
 
   std::vector<CGAL::Bbox_2> boxes_;

@@ -49,12 +49,12 @@ template <class Traits>
 std::vector<Node_index> by_rank(const Layer_nodes<Traits>& nodes) {
   std::vector<Node_index> result;
   result.reserve(nodes.representative.size());
-  for (const bool fixed : {true, false}) {
-    for (const bool corner : {true, false}) {
-      for (std::size_t i = 0; i < nodes.representative.size(); ++i) {
-        const bool stands = nodes.representative[i] == Node_index(i);
-        if (stands && nodes.fixed[i] == fixed && nodes.corner[i] == corner) result.emplace_back(i);
-      }
+  const auto rank = [&](std::size_t i) {
+    return nodes.fixed[i] ? (nodes.corner[i] ? 0 : 1) : (nodes.corner[i] ? 2 : 3);
+  };
+  for (int wanted = 0; wanted < 4; ++wanted) {
+    for (std::size_t i = 0; i < nodes.representative.size(); ++i) {
+      if (nodes.representative[i] == Node_index(i) && rank(i) == wanted) result.emplace_back(i);
     }
   }
   return result;
@@ -63,6 +63,7 @@ std::vector<Node_index> by_rank(const Layer_nodes<Traits>& nodes) {
 // Merges nodes with equal points. Linear where coordinates are floating point numbers, else O(n log n).
 template <class Traits>
 void merge_equal(Layer_nodes<Traits>& nodes) {
+  bool any = false;
   using Point_2 = typename Traits::Point_2;
   if constexpr (std::is_floating_point_v<typename Traits::FT>) {
     Number_table table(nodes.representative.size());
@@ -77,6 +78,7 @@ void merge_equal(Layer_nodes<Traits>& nodes) {
         table.insert(hash, static_cast<std::uint32_t>(n.value()));
       } else {
         merge(nodes, n, kept);
+        any = true;
       }
     }
   } else {
@@ -84,10 +86,12 @@ void merge_equal(Layer_nodes<Traits>& nodes) {
     std::map<Point_2, Node_index, decltype(less)> kept(less);
     for (Node_index n : by_rank(nodes)) {
       const auto [place, is_new] = kept.try_emplace(nodes.point(n), n);
-      if (!is_new) merge(nodes, n, place->second);
+      if (is_new) continue;
+      merge(nodes, n, place->second);
+      any = true;
     }
   }
-  settle(nodes);
+  if (any) settle(nodes);
 }
 
 // The vertex-vertex rule: free nodes merge into fixed ones within the tolerance, then into corners, then into one

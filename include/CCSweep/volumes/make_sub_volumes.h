@@ -13,15 +13,16 @@
 #include <CCSweep/volumes/Cut_surface.h>
 #include <CCSweep/volumes/Cut_triangles.h>
 #include <CCSweep/volumes/Decomposition.h>
+#include <CCSweep/volumes/Triangle_sides.h>
 #include <CCSweep/volumes/separate_fans.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -37,12 +38,14 @@ class Surface_labels {
  public:
   Surface_labels(const Part<Traits>& part, const Roles& roles, const Layered_loops<Traits>& loops,
                  const Cut_surface<Traits>& surface, const Cut_triangles& cuts)
-      : part_(part), roles_(roles), loops_(loops), surface_(surface), label_(surface.triangles.size()) {
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k)
-        triangle_at_[key(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3])] = t;
+      : part_(part), roles_(roles), loops_(loops), surface_(surface), label_(surface.triangles.size()),
+        sides_(surface.triangles, surface.points.size()), is_barrier_(3 * surface.triangles.size()) {
+    const auto close = [this](std::uint32_t side) { is_barrier_[side] = true; };
     for (const Triangle& t : cuts.triangles)
-      for (int k = 0; k < 3; ++k) barriers_.insert(std::minmax(t[k], t[(k + 1) % 3]));
+      for (int k = 0; k < 3; ++k) {
+        sides_.for_each(t[k], t[(k + 1) % 3], close);
+        sides_.for_each(t[(k + 1) % 3], t[k], close);
+      }
   }
 
   std::vector<Patch_index> run() {
@@ -54,8 +57,6 @@ class Surface_labels {
   }
 
  private:
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t(a) << 32) | b; }
-
   void set_label(std::size_t t, Patch_index target) {
     if (label_[t] == target) return;
     if (label_[t].is_valid()) {
@@ -67,7 +68,7 @@ class Surface_labels {
            Part<Traits>::coordinates(surface_.points[surface_.triangles[t][0]]));
     }
     label_[t] = target;
-    stack_.push_back(t);
+    stack_.push_back(static_cast<std::uint32_t>(t));
   }
 
   void label_targets() {
@@ -80,9 +81,9 @@ class Surface_labels {
     const auto v = surface_.vertex_of_node[a.value()], w = surface_.vertex_of_node[b.value()];
     if (v == Cut_surface<Traits>::none || w == Cut_surface<Traits>::none) return;
     const auto path = surface_.path(v, w);
-    const auto found = triangle_at_.find(key(path[0], path[1]));
-    if (found == triangle_at_.end()) return;
-    if (!patch.is_valid() || surface_.patch[found->second] == patch) set_label(found->second, target);
+    sides_.for_each(path[0], path[1], [&](std::uint32_t side) {
+      if (!patch.is_valid() || surface_.patch[side / 3] == patch) set_label(side / 3, target);
+    });
   }
 
   void label_sources() {
@@ -100,13 +101,12 @@ class Surface_labels {
 
   void flood() {
     while (!stack_.empty()) {
-      const std::size_t t = stack_.back();
+      const std::uint32_t t = stack_.back();
       stack_.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const auto a = surface_.triangles[t][k], b = surface_.triangles[t][(k + 1) % 3];
-        if (barriers_.count(std::minmax(a, b))) continue;
-        const auto neighbour = triangle_at_.find(key(b, a));
-        if (neighbour != triangle_at_.end()) set_label(neighbour->second, label_[t]);
+      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+        if (is_barrier_[side]) continue;
+        sides_.for_each(sides_.target(side), sides_.source(side),
+                        [&](std::uint32_t opposite) { set_label(opposite / 3, label_[t]); });
       }
     }
     for (std::size_t t = 0; t < label_.size(); ++t)
@@ -123,9 +123,9 @@ class Surface_labels {
   const Layered_loops<Traits>& loops_;
   const Cut_surface<Traits>& surface_;
   std::vector<Patch_index> label_;
-  std::unordered_map<std::uint64_t, std::size_t> triangle_at_;
-  std::set<Vertex_pair> barriers_;
-  std::vector<std::size_t> stack_;
+  Triangle_sides sides_;
+  std::vector<bool> is_barrier_;  // by side: whether a cut meets the surface there
+  std::vector<std::uint32_t> stack_;
 };
 
 template <class Traits>
