@@ -53,7 +53,8 @@ std::vector<std::vector<Vec3>> outlines(const Quad_region& region, std::size_t l
     auto& outline = result.emplace_back();
     const double t = double(k) / double(layers), b = bulge * std::sin(std::numbers::pi * t);
     for (const auto& loop : region.loops)
-      for (const auto& [x, y] : loop.nodes) outline.push_back({x + b * std::sin(y / 5), y + b * std::sin(x / 7), 10 * t});
+      for (const auto& [x, y] : loop.nodes)
+        outline.push_back({x + b * std::sin(y / 5), y + b * std::sin(x / 7), 10 * t});
   }
   return result;
 }

@@ -159,7 +159,8 @@ void add_options(CLI::App& command, Options& options) {
       ->check(between(0, 1))
       ->capture_default_str();
   command
-      .add_option("--spanning-angle", options.spanning_angle, "how far a bent sweep may turn from layer to layer, degrees")
+      .add_option("--spanning-angle", options.spanning_angle,
+                  "how far a bent sweep may turn from layer to layer, degrees")
       ->check(between(0, 180))
       ->capture_default_str();
   command.add_option("--layers", options.layers, "at least so many layers")
@@ -192,7 +193,10 @@ void add_mesh_options(CLI::App& command, Options& options) {
       ->required()
       ->check(between(0, std::numeric_limits<double>::max()));
   command.add_option_function<std::vector<std::string>>(
-      "--size-on", [&](const std::vector<std::string>& texts) { for (const auto& text : texts) add_size(text, options); },
+      "--size-on",
+      [&](const std::vector<std::string>& texts) {
+        for (const auto& text : texts) add_size(text, options);
+      },
       "ID=H or ID,ID=H: the edge length on a patch, or on the curves between two; may be given several times");
   command.add_option("--out", options.files, "file of the mesh: .vtu, .msh or .inp; may be given several times")
       ->required()

@@ -92,7 +92,8 @@ void print(const CCSweep::Report& report) {
   std::cout << report["hexahedra"] << " hexahedra, " << report["nodes"] << " nodes in " << report["volumes"]
             << " sub-volumes\nscaled Jacobian: minimum " << quality["minimum"] << ", mean " << quality["mean"] << '\n';
   for (std::size_t i = 0; i < bars; ++i)
-    std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i] << '\n';
+    std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i]
+              << '\n';
 }
 
 }  // namespace

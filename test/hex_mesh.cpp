@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(sizes_on_a_patch_refine_its_curves) {
   };
   const auto fine = meshed(CCSweep::Patch_sizes(size).patch(target, size / 3));
   expect_sound(fine, model.volume, 0.03);
-  BOOST_TEST(fine.value().hexes.size() > 4 * coarse.value().hexes.size());
+  BOOST_TEST(fine.value().hexes.size() > 2 * coarse.value().hexes.size());
   BOOST_TEST((meshed(CCSweep::Patch_sizes(size).patch(target, -1)).status().code == Status_code::invalid_parameter));
 }
 

@@ -11,7 +11,7 @@
 /// `MixedIntegerProgramTraits`, with GLPK as `CCSweep::Glpk_intervals`.
 class IntervalSolver {
  public:
-  /// The numbers for a problem, of which `CCSweep::is_solution()` holds; nothing where there are none, or none was found.
-  /// Called a few times for each mesh.
+  /// The numbers for a problem, of which `CCSweep::is_solution()` holds; nothing where there are none, or none was
+  /// found. Called a few times for each mesh.
   std::optional<CCSweep::Intervals> operator()(const CCSweep::Interval_problem& problem) const;
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \ingroup Concepts
-/// The edge lengths wanted of a hexahedral mesh. Where several apply to an edge, the smallest counts. Patches are named by
-/// their ids.
+/// The edge lengths wanted of a hexahedral mesh. Where several apply to an edge, the smallest counts. Patches are named
+/// by their ids.
 ///
 /// Checked at compile time by `CCSweep::SizingField`.
 ///

@@ -30,8 +30,8 @@ def extent(name):
 
 def row(program, folder, name, size, label):
     report = folder / "report.json"
-    subprocess.run([program, "mesh", DATA / f"{name}.ply", "--direction", direction(name), "--size", repr(size), "--quiet",
-                    "--out", folder / "mesh.vtu", "--report", report], check=True)
+    subprocess.run([program, "mesh", DATA / f"{name}.ply", "--direction", direction(name), "--size", repr(size),
+                    "--quiet", "--out", folder / "mesh.vtu", "--report", report], check=True)
     found = json.loads(report.read_text())
     quality = found["scaled_jacobian"]
     seconds = sum(found["seconds"].values())

@@ -146,9 +146,10 @@ Result<Hex_mesh> hex_mesh(const FaceGraph& mesh, const NamedParameters& np) {
     using CGAL::parameters::get_parameter;
     auto&& visitor = Call::visitor(np);
     const internal::Options options = internal::unpack(np);
-    const internal::Hex_policies policies{internal::to_sizing(choose_parameter(get_parameter(np, CGAL::internal_np::size), 0.0)),
-                                choose_parameter(get_parameter(np, internal_np::interval_solver), Parity_intervals()),
-                                choose_parameter(get_parameter(np, internal_np::quad_mesher), Best_quads())};
+    const internal::Hex_policies policies{
+        internal::to_sizing(choose_parameter(get_parameter(np, CGAL::internal_np::size), 0.0)),
+        choose_parameter(get_parameter(np, internal_np::interval_solver), Parity_intervals()),
+        choose_parameter(get_parameter(np, internal_np::quad_mesher), Best_quads())};
     const Part<Traits> part = internal::read_input<Traits>(mesh, Call::points(mesh, np), Call::patches(np));
     return internal::Hex_pipeline<Traits, typename Call::Segment_index, typename Call::Point_index,
                                   std::remove_reference_t<decltype(visitor)>, std::remove_const_t<decltype(policies)>>(
@@ -156,7 +157,8 @@ Result<Hex_mesh> hex_mesh(const FaceGraph& mesh, const NamedParameters& np) {
   });
 }
 
-/// Meshes a decomposition with hexahedra at any size: the part it was made of, in the same sense and with the same caps.
+/// Meshes a decomposition with hexahedra at any size: the part it was made of, in the same sense and with the same
+/// caps.
 /// \param np a sequence of named parameters; `size` is needed, roles and direction are those of the decomposition
 template <class Point, class NamedParameters>
 Result<Hex_mesh> hex_mesh(const Decomposition<Point>& decomposition, const NamedParameters& np) {

@@ -64,7 +64,8 @@ class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base> {
 };
 
 /// The named parameters of the library: functions that start a chain, `tolerance(1e-6).layers(4).visitor(v)`.
-/// Of CGAL's names, `vertex_point_map`, `face_patch_map`, `geom_traits`, `visitor` and `size` mean here what they mean there.
+/// Of CGAL's names, `vertex_point_map`, `face_patch_map`, `geom_traits`, `visitor` and `size` mean here what they mean
+/// there.
 ///
 /// | name | is | default |
 /// |---|---|---|

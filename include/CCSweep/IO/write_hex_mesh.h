@@ -31,7 +31,8 @@ inline Status write_hex_mesh(const Hex_mesh& mesh, const std::vector<std::string
     else if (kind == ".inp")
       encoded.push_back(internal::encoded_inp(mesh, file));
     else
-      return {Status_code::invalid_parameter, Stage::output, {}, {}, file.string() + " ends with none of .vtu, .msh, .inp"};
+      return {
+          Status_code::invalid_parameter, Stage::output, {}, {}, file.string() + " ends with none of .vtu, .msh, .inp"};
   }
   return internal::write_encoded(encoded);
 }

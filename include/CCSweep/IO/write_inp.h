@@ -87,8 +87,8 @@ inline Encoded_file encoded_inp(const Hex_mesh& mesh, const std::filesystem::pat
 
 }  // namespace internal
 
-/// Writes a mesh as Abaqus input: elements C3D8 with an ELSET `VOLUME_i` for each sub-volume, and for each patch the NSET
-/// `PATCH_id` of its nodes and the SURFACE `SURFACE_id` of its element faces.
+/// Writes a mesh as Abaqus input: elements C3D8 with an ELSET `VOLUME_i` for each sub-volume, and for each patch the
+/// NSET `PATCH_id` of its nodes and the SURFACE `SURFACE_id` of its element faces.
 /// \return `write_failed` where that is not possible; no half-written file is left then.
 inline Status write_inp(const Hex_mesh& mesh, const std::string& file) {
   return internal::write_encoded({internal::encoded_inp(mesh, file)});

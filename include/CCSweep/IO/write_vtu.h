@@ -24,7 +24,8 @@ namespace internal {
 class Vtu_encoder {
  public:
   Vtu_encoder(std::size_t points, std::size_t cells) {
-    header_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" ";
+    header_ =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" ";
     header_ += "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(points);
     header_ += "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n";
   }
@@ -35,7 +36,8 @@ class Vtu_encoder {
   template <class T>
   void array(const std::string& type, const std::string& name, int components, const std::vector<T>& values) {
     header_ += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-               std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(data_.size()) + "\"/>\n";
+               std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(data_.size()) +
+               "\"/>\n";
     append_little_endian(data_, static_cast<std::uint64_t>(values.size() * sizeof(T)));
     for (const T& value : values) append_little_endian(data_, value);
   }

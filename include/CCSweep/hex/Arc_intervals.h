@@ -156,7 +156,8 @@ class Arc_intervals {
         problem = with(std::move(problem), rows);
         kept = std::move(found);
       }
-    if (!kept) internal::fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "there are no numbers of intervals that fit");
+    if (!kept)
+      internal::fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "there are no numbers of intervals that fit");
     intervals_ = std::move(*kept);
   }
 

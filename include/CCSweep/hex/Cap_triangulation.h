@@ -159,7 +159,8 @@ class Cap_triangulation {
   std::pair<double, double> distance_and_size(const Point2& p) const {
     constexpr unsigned few = 12;
     double nearest = 1e300, wanted = size_;
-    for (auto at = near_.qbegin(boost::geometry::index::nearest(Plane_point(p[0], p[1]), few)); at != near_.qend(); ++at) {
+    for (auto at = near_.qbegin(boost::geometry::index::nearest(Plane_point(p[0], p[1]), few)); at != near_.qend();
+         ++at) {
       const auto& [a, b] = ends_[at->second];
       const double wx = b[0] - a[0], wy = b[1] - a[1], l2 = wx * wx + wy * wy;
       const double t = std::clamp(((p[0] - a[0]) * wx + (p[1] - a[1]) * wy) / l2, 0.0, 1.0);

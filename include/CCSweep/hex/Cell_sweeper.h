@@ -19,8 +19,8 @@
 namespace CCSweep::internal {
 
 /// Carries a plane quad mesh to the layers of a cell: by the affine map that fits its outline on the layer best, and
-/// the residuals of the outline's nodes, which spread into the mesh harmonically. The harmonic spread bends nothing over
-/// that the outline does not, where weights by distance may.
+/// the residuals of the outline's nodes, which spread into the mesh harmonically. The harmonic spread bends nothing
+/// over that the outline does not, where weights by distance may.
 class Quad_carrier {
  public:
   Quad_carrier(const Quad_mesh& mesh, std::size_t fixed) : mesh_(mesh), fixed_(fixed), spread_(mesh, fixed) {
@@ -75,7 +75,8 @@ class Quad_carrier {
 
   Eigen::Matrix<double, Eigen::Dynamic, 3> residuals_of(const Fit& fit, const std::vector<Vec3>& outline) const {
     Eigen::Matrix<double, Eigen::Dynamic, 3> residuals(static_cast<Eigen::Index>(fixed_), 3);
-    for (std::size_t i = 0; i < fixed_; ++i) residuals.row(static_cast<Eigen::Index>(i)) = row(outline[i]) - mapped(fit, i);
+    for (std::size_t i = 0; i < fixed_; ++i)
+      residuals.row(static_cast<Eigen::Index>(i)) = row(outline[i]) - mapped(fit, i);
     return residuals;
   }
 

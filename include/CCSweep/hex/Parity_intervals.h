@@ -130,9 +130,9 @@ class Interval_search {
 
 }  // namespace internal
 
-/// Solves interval problems without a library: chooses the parities so that all sums are even, takes the nearest numbers
-/// of these parities, evens out the sums that must vanish by steps of two, and then improves what it has by branch and
-/// bound. The answer is exact for about a dozen numbers, as the search then comes to its end.
+/// Solves interval problems without a library: chooses the parities so that all sums are even, takes the nearest
+/// numbers of these parities, evens out the sums that must vanish by steps of two, and then improves what it has by
+/// branch and bound. The answer is exact for about a dozen numbers, as the search then comes to its end.
 /// Complexity: O(r^2 n / 64) for r rows and n numbers, and a bounded search.
 class Parity_intervals {
  public:

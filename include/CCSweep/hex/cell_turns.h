@@ -16,8 +16,8 @@
 namespace CCSweep::internal {
 
 /// How a cell's outline turns where its arcs begin, as the sides of a structured mesh do: 1 to the left, 0 straight on,
-/// -1 to the right (White and Tautges, 2000). Empty where the outline can't be that of a structured mesh: with holes, with
-/// an angle too sharp or folded back, or with turns that do not sum up to 4.
+/// -1 to the right (White and Tautges, 2000). Empty where the outline can't be that of a structured mesh: with holes,
+/// with an angle too sharp or folded back, or with turns that do not sum up to 4.
 inline std::vector<int> cell_turns(const Layer_stack& stack, const Arc_stack& arcs, const Cell& cell) {
   constexpr double degree = std::numbers::pi / 180, least = 20 * degree, most = 315 * degree;
   if (cell.loops[0].size() != 1) return {};

@@ -45,8 +45,8 @@ class Hex_mesher {
     for (const Cell& cell : cells_) turns_.push_back(cell_turns(stack_, arcs_, cell));
   }
 
-  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided, and then more
-  /// intervals.
+  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided, and then
+  /// more intervals.
   Hex_mesh run() {
     constexpr int tries = 5;
     Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {

@@ -78,8 +78,8 @@ class Doublet_remover {
 
 }  // namespace internal
 
-/// An unstructured mesh of a region: its triangles of the size wanted, matched two and two to quads, as many and as good
-/// ones as there can be (Remacle et al., Blossom-Quad, 2012).
+/// An unstructured mesh of a region: its triangles of the size wanted, matched two and two to quads, as many and as
+/// good ones as there can be (Remacle et al., Blossom-Quad, 2012).
 /// Triangles left over are split, and all are matched anew, a few times.
 /// \return nothing where a triangle is left over then, or the loops cross each other.
 /// Complexity: O(n^3) for few triangles; O(n log n) for more, and O(n) for each pair that the best ones leave out.

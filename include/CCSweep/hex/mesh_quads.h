@@ -30,7 +30,8 @@ inline double worst_quality(const Quad_mesh& mesh) {
 
 /// What meshes plane regions with quads, keeping the nodes on their loops as the first ones of the mesh.
 template <class Mesher>
-concept QuadMesher = std::copy_constructible<Mesher> && requires(const Mesher& mesher, const Quad_region& r, double size) {
+concept QuadMesher = std::copy_constructible<Mesher> &&
+    requires(const Mesher& mesher, const Quad_region& r, double size) {
   { mesher(r, size) } -> std::same_as<std::optional<Quad_mesh>>;
 };
 
@@ -62,8 +63,8 @@ struct Structured_quads {
   }
 };
 
-/// The default: a structured mesh where there is one and it comes out well, else matched triangles, else subdivided ones;
-/// where none of them comes out well, the best of the three.
+/// The default: a structured mesh where there is one and it comes out well, else matched triangles, else subdivided
+/// ones; where none of them comes out well, the best of the three.
 struct Best_quads {
   std::optional<Quad_mesh> operator()(const Quad_region& region, double size) const {
     std::optional<Quad_mesh> best;

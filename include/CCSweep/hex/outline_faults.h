@@ -31,7 +31,8 @@ inline std::set<std::size_t> arcs_too_coarse(const std::vector<Outline_edge>& ed
       return x * u + y * v > 0 && std::abs(x * v - y * u) < flat * std::hypot(x, y) * std::hypot(u, v);
     }
     if (e.a == f.a || e.b == f.b) return false;
-    return (turn(e.a, e.b, f.a) > 0) != (turn(e.a, e.b, f.b) > 0) && (turn(f.a, f.b, e.a) > 0) != (turn(f.a, f.b, e.b) > 0);
+    return (turn(e.a, e.b, f.a) > 0) != (turn(e.a, e.b, f.b) > 0) &&
+           (turn(f.a, f.b, e.a) > 0) != (turn(f.a, f.b, e.b) > 0);
   };
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -50,7 +50,8 @@ inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& me
   const auto key = [](std::uint64_t a, std::uint64_t b) { return a << 32 | b; };
   std::vector<Side> sides;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::uint32_t i = 0; i < 3; ++i) sides.push_back({key(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]), t, i});
+    for (std::uint32_t i = 0; i < 3; ++i)
+      sides.push_back({key(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]), t, i});
   std::sort(sides.begin(), sides.end());
   const auto find = [&](std::uint32_t a, std::uint32_t b) -> const Side* {
     const auto found = std::lower_bound(sides.begin(), sides.end(), Side{key(a, b), 0, 0});
@@ -103,9 +104,9 @@ struct Best_first_matching {
   }
 };
 
-/// Chooses pairs so that no triangle is in two of them: as many as there can be, if so wanted, else those of the greatest
-/// sum of qualities. That is exact for few triangles, as Boost's weighted matching takes O(n^3); for more it starts
-/// with the best pairs, and Edmonds' algorithm makes them as many as there can be.
+/// Chooses pairs so that no triangle is in two of them: as many as there can be, if so wanted, else those of the
+/// greatest sum of qualities. That is exact for few triangles, as Boost's weighted matching takes O(n^3); for more it
+/// starts with the best pairs, and Edmonds' algorithm makes them as many as there can be.
 /// \return the pairs chosen, by their place in `pairs`
 inline std::vector<std::size_t> choose_pairs(const std::vector<Triangle_pair>& pairs, std::size_t triangles,
                                              bool as_many_as_can_be) {

@@ -63,8 +63,9 @@ class Grid_outline {
 
  private:
   bool is_simple_ = true;
-  std::map<Place, std::uint32_t> node_;                    // of the outline
-  std::map<int, std::vector<std::pair<int, int>>> upright_;  // by row: the place of an edge, and -1 for one that leads up
+  std::map<Place, std::uint32_t> node_;  // of the outline
+  // By row: the places of the upright edges, each with -1 for one that leads up.
+  std::map<int, std::vector<std::pair<int, int>>> upright_;
 };
 
 }  // namespace internal
