@@ -79,7 +79,7 @@ class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base> {
 /// | `spanning_angle` | `double`: how far a bent sweep may turn between two layers, in degrees | 7.5 |
 /// | `layers` | `int`: at least so many layers between two levels; the sub-volumes do not depend on it | 1 |
 /// | `neighbours` | `int`: wall nodes whose residuals a projected node heeds, eq. (4) | 10 |
-/// | `size` | `double` or a model of `SizingField`: edge length of the hexahedra that `hex_mesh()` makes | none: needed there |
+/// | `size` | `double` or a model of `SizingField`: edge length of the hexahedra of `hex_mesh()` | none: needed there |
 /// | `interval_solver` | a model of `IntervalSolver`, for `hex_mesh()` | `Parity_intervals` |
 /// | `quad_mesher` | a model of `QuadMesher`, for `hex_mesh()` | `Best_quads` |
 /// | `segment_index` | a model of `SegmentIndex_2`; only its type counts | an r-tree |
