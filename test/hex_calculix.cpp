@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -48,7 +49,7 @@ double displacement(const Hex_mesh::Point& p, int x) {
 // What turns the mesh into a problem of statics.
 std::string problem(const Hex_mesh& mesh) {
   std::ostringstream out;
-  out.precision(17);
+  out.precision(13);  // CalculiX reads no more than 20 characters
   out << "*MATERIAL, NAME=STEEL\n*ELASTIC\n210000., 0.3\n";
   for (std::size_t v = 0; v < mesh.targets.size(); ++v)
     out << "*SOLID SECTION, ELSET=VOLUME_" << v << ", MATERIAL=STEEL\n";

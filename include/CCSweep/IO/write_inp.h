@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -46,13 +47,25 @@ inline std::map<int, std::vector<std::pair<std::size_t, int>>> faces_on_patches(
   return result;
 }
 
+// A number in no more than the 20 characters that the format allows.
+inline void append_number(std::string& out, double x) {
+  constexpr std::size_t most = 20;
+  constexpr int digits = 13;
+  const std::size_t before = out.size();
+  append_text(out, x);
+  if (out.size() - before <= most) return;
+  out.resize(before);
+  char text[2 * most];
+  out.append(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
+}
+
 inline std::string encode_inp(const Hex_mesh& mesh) {
   std::string out = "*HEADING\nhexahedral mesh\n*NODE\n";
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
     append_text(out, n + 1);
     for (double x : mesh.points[n]) {
       out += ", ";
-      append_text(out, x + 0.0);
+      append_number(out, x + 0.0);
     }
     out += '\n';
   }
