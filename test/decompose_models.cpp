@@ -316,6 +316,19 @@ BOOST_DATA_TEST_CASE(wrong_lists_of_caps_are_refused, bdata::make(examples()), n
   expect_refused({example.direction, {sources.begin() + 1, sources.end()}, {}}, Status_code::not_sweepable, sources[0]);
 }
 
+// A counterbore whose circle crosses the outer circle of a ring below in two shallow arcs, with chords nearly as far
+// apart as their chord errors: where they merge depends on the layers, but a cut must not fold over another there.
+BOOST_DATA_TEST_CASE(arcs_that_cross_at_a_small_angle, bdata::make({1, 2, 5}), layers) {
+  const Soup soup = model_soup("counterbore_over_ring");
+  for (double sense : {-1., 1.}) BOOST_TEST_CONTEXT("sense " << sense) {
+    for (const Soup& part : {soup, mesh_changes::with_split_edges(soup), mesh_changes::with_split_facets(soup)}) {
+      const Outcome outcome = decompose(part, {{0, 0, sense}, {}, {}, layers});
+      expect_ok(outcome);
+      if (outcome.ok()) BOOST_TEST(outcome.value().volumes.size() == 3u);
+    }
+  }
+}
+
 BOOST_DATA_TEST_CASE(options_out_of_range_are_refused, bdata::make({"cylinder"}), name) {
   const auto& [example, outcome, expected] = reference(name);
   const double nan = std::numeric_limits<double>::quiet_NaN();

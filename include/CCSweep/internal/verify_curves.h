@@ -22,12 +22,13 @@ struct Edge_side {
   auto operator<=>(const Edge_side&) const = default;
 };
 
-/// Notes the sides of the outer triangles of a surface.
+/// Notes the sides of the outer triangles of a surface, without edges inside a patch: their sides cancel.
 template <class Kernel>
 void collect_sides(const Scene<Kernel>& scene, const Surface& surface, std::vector<Edge_side>& sides) {
   for (std::size_t t = 0; t < surface.points.size(); ++t) {
     if (!scene.is_input_patch(surface.patch[t])) continue;
     for (int k = 0; k < 3; ++k) {
+      if (surface.patch[surface.opposite[3 * t + k] / 3] == surface.patch[t]) continue;
       const std::uint32_t from = surface.points[t][k], to = surface.points[t][(k + 1) % 3];
       sides.push_back({std::min(from, to), std::max(from, to), from < to, surface.patch[t]});
     }

@@ -5,7 +5,9 @@
 
 #include <CCSweep/internal/verify_scene.h>
 
-#include <tuple>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace CCSweep::internal::verification {
 
@@ -22,27 +24,48 @@ void check_triangles(const Scene<Kernel>& scene, const Surface& surface) {
   }
 }
 
+/// The halfedges that leave each vertex of a surface.
+class Outgoing_halfedges {
+ public:
+  explicit Outgoing_halfedges(const Surface& surface)
+      : surface_(surface), first_(surface.number_of_vertices + 1, 0), halfedges_(3 * surface.vertices.size()) {
+    for (std::uint32_t h = 0; h < halfedges_.size(); ++h) ++first_[source(h) + 1];
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    std::vector<std::uint32_t> next = first_;
+    for (std::uint32_t h = 0; h < halfedges_.size(); ++h) halfedges_[next[source(h)]++] = h;
+  }
+
+  std::uint32_t source(std::uint32_t h) const { return surface_.vertices[h / 3][h % 3]; }
+  std::uint32_t target(std::uint32_t h) const { return source(next_halfedge(h)); }
+
+  /// The number of those from one vertex to another, and the last of them.
+  std::pair<std::size_t, std::uint32_t> between(std::uint32_t from, std::uint32_t to) const {
+    std::pair<std::size_t, std::uint32_t> result{0, 0};
+    for (std::uint32_t i = first_[from]; i < first_[from + 1]; ++i)
+      if (target(halfedges_[i]) == to) result = {result.first + 1, halfedges_[i]};
+    return result;
+  }
+
+ private:
+  const Surface& surface_;
+  std::vector<std::uint32_t> first_, halfedges_;
+};
+
 /// Pairs the halfedges: every directed edge once, and its opposite once.
 template <class Kernel>
 void check_closed(const Scene<Kernel>& scene, Surface& surface) {
-  using Directed = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // from, to, halfedge
-  std::vector<Directed> edges;
-  const auto& triangles = surface.vertices;
-  for (std::uint32_t h = 0; h < 3 * triangles.size(); ++h)
-    edges.emplace_back(triangles[h / 3][h % 3], triangles[h / 3][next_halfedge(h) % 3], h);
-  std::sort(edges.begin(), edges.end());
-  surface.opposite.resize(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto [from, to, h] = edges[i];
-    auto fail_at = [&, h = h](const char* what) {
+  const Outgoing_halfedges outgoing(surface);
+  surface.opposite.resize(3 * surface.vertices.size());
+  for (std::uint32_t h = 0; h < surface.opposite.size(); ++h) {
+    const auto fail_at = [&](const char* what) {
       reject(surface.title + what, {surface.patch[h / 3]}, scene.place(surface.points[h / 3][h % 3]));
     };
-    if (i > 0 && std::get<0>(edges[i - 1]) == from && std::get<1>(edges[i - 1]) == to)
+    const std::uint32_t from = outgoing.source(h), to = outgoing.target(h);
+    const auto [number, opposite] = outgoing.between(to, from);
+    if (number > 1 || outgoing.between(from, to).first > 1)
       fail_at(" has an edge with more than two triangles, or neighbours that are oriented differently");
-    auto found = std::lower_bound(edges.begin(), edges.end(), Directed(to, from, 0));
-    if (found == edges.end() || std::get<0>(*found) != to || std::get<1>(*found) != from)
-      fail_at(" is not closed: an edge has a triangle on one side only");
-    surface.opposite[h] = std::get<2>(*found);
+    if (number == 0) fail_at(" is not closed: an edge has a triangle on one side only");
+    surface.opposite[h] = opposite;
   }
 }
 
