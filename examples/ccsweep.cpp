@@ -116,6 +116,20 @@ std::array<double, 3> parse_direction(const std::string& text) {
   return {values[0], values[1], values[2]};
 }
 
+// The size on a patch, or on the curves between two.
+void add_size(const std::string& text, Options& options) {
+  const std::size_t equals = text.find('=');
+  const std::vector<int> patches = parse_list<int>(text.substr(0, equals));
+  double size = 0;
+  if (equals == std::string::npos || patches.size() > 2 || !CLI::detail::lexical_cast(text.substr(equals + 1), size) ||
+      !std::isfinite(size) || !(size > 0))
+    throw CLI::ValidationError("--size-on takes ID=H or ID,ID=H with a number H above 0, not '" + text + "'");
+  if (patches.size() == 1)
+    options.patch_sizes[patches[0]] = size;
+  else
+    options.curve_sizes[{patches[0], patches[1]}] = size;
+}
+
 // Not CLI::Range, which lets NaN pass.
 CLI::Validator between(double low, double high) {
   return CLI::Validator(
@@ -145,7 +159,8 @@ void add_options(CLI::App& command, Options& options) {
       ->check(between(0, 1))
       ->capture_default_str();
   command
-      .add_option("--spanning-angle", options.spanning_angle, "how far a bent sweep may turn from layer to layer, degrees")
+      .add_option("--spanning-angle", options.spanning_angle,
+                  "how far a bent sweep may turn from layer to layer, degrees")
       ->check(between(0, 180))
       ->capture_default_str();
   command.add_option("--layers", options.layers, "at least so many layers")
@@ -177,6 +192,12 @@ void add_mesh_options(CLI::App& command, Options& options) {
   command.add_option("--size", options.size, "edge length of the hexahedra")
       ->required()
       ->check(between(0, std::numeric_limits<double>::max()));
+  command.add_option_function<std::vector<std::string>>(
+      "--size-on",
+      [&](const std::vector<std::string>& texts) {
+        for (const auto& text : texts) add_size(text, options);
+      },
+      "ID=H or ID,ID=H: the edge length on a patch, or on the curves between two; may be given several times");
   command.add_option("--out", options.files, "file of the mesh: .vtu, .msh or .inp; may be given several times")
       ->required()
       ->check(mesh_file);

@@ -5,9 +5,7 @@
 #include "ccsweep_run.h"
 
 #include <CCSweep/IO/read_volumes.h>
-#include <CCSweep/IO/write_inp.h>
-#include <CCSweep/IO/write_msh.h>
-#include <CCSweep/IO/write_vtu.h>
+#include <CCSweep/IO/write_hex_mesh.h>
 #include <CCSweep/hex_mesh.h>
 
 #include <algorithm>
@@ -42,6 +40,13 @@ std::array<double, 3> direction_of(const CCSweep::Sub_volume<Point>& volume) {
   return {sum.x(), sum.y(), sum.z()};
 }
 
+CCSweep::Patch_sizes sizes(const Options& options) {
+  CCSweep::Patch_sizes sizes(options.size);
+  for (const auto& [patch, size] : options.patch_sizes) sizes.patch(patch, size);
+  for (const auto& [patches, size] : options.curve_sizes) sizes.curve(patches.first, patches.second, size);
+  return sizes;
+}
+
 Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
   const auto part = CCSweep::read_part<Point>(options.part, {true, options.angle});
   if (!part) return part.status();
@@ -54,7 +59,7 @@ Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
       if (options.direction == std::array<double, 3>{}) forced.direction = direction_of(volume.value());
     }
   return CCSweep::hex_mesh(part.value().mesh,
-                           parameters_of(forced, part.value().patch_ids(), progress).size(options.size));
+                           parameters_of(forced, part.value().patch_ids(), progress).size(sizes(options)));
 }
 
 Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
@@ -64,16 +69,7 @@ Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
                                                       .spanning_angle(options.spanning_angle)
                                                       .layers(options.layers)
                                                       .visitor(std::ref(progress))
-                                                      .size(options.size));
-}
-
-Status write(const Hex_mesh& mesh, const std::string& file, const Options& options) {
-  const std::string kind = std::filesystem::path(file).extension().string();
-  if (kind == ".msh")
-    return CCSweep::write_msh(mesh, file,
-                              options.msh_version == "2.2" ? CCSweep::Msh_version::v2_2 : CCSweep::Msh_version::v4_1);
-  if (kind == ".inp") return CCSweep::write_inp(mesh, file);
-  return CCSweep::write_vtu(mesh, file);
+                                                      .size(sizes(options)));
 }
 
 CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qualities, double seconds) {
@@ -96,7 +92,8 @@ void print(const CCSweep::Report& report) {
   std::cout << report["hexahedra"] << " hexahedra, " << report["nodes"] << " nodes in " << report["volumes"]
             << " sub-volumes\nscaled Jacobian: minimum " << quality["minimum"] << ", mean " << quality["mean"] << '\n';
   for (std::size_t i = 0; i < bars; ++i)
-    std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i] << '\n';
+    std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i]
+              << '\n';
 }
 
 }  // namespace
@@ -108,8 +105,8 @@ Status mesh(const Options& options, Progress& progress) {
   progress.clear();
   if (!result) return result.status();
   const double seconds = watch.seconds();
-  for (const std::string& file : options.files)
-    if (Status status = write(result.value(), file, options); !status.ok()) return status;
+  const auto version = options.msh_version == "2.2" ? CCSweep::Msh_version::v2_2 : CCSweep::Msh_version::v4_1;
+  if (Status status = CCSweep::write_hex_mesh(result.value(), options.files, version); !status.ok()) return status;
   const CCSweep::Report report = make_report(result.value(), CCSweep::scaled_jacobians(result.value()), seconds);
   if (!options.is_quiet) print(report);
   return write_reports(report, options);

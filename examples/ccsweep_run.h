@@ -40,6 +40,8 @@ struct Options {
   std::string part, folder, report, dump;
   std::vector<std::string> files;  // of the hexahedral mesh
   double size = 0;                 // of the hexahedra
+  std::map<int, double> patch_sizes;
+  std::map<std::pair<int, int>, double> curve_sizes;
   std::string msh_version = "4.1";
   std::array<double, 3> direction{};  // zero: the algorithm chooses
   std::vector<int> sources, targets;  // empty: the algorithm chooses

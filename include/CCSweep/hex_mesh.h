@@ -8,8 +8,11 @@
 #include <CCSweep/hex/Cap_drop.h>
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/Layer_stack.h>
+#include <CCSweep/hex/Parity_intervals.h>
 #include <CCSweep/hex/make_arc_stack.h>
 #include <CCSweep/hex/make_hex_mesh.h>
+#include <CCSweep/hex/mesh_quads.h>
+#include <CCSweep/hex/sizing.h>
 #include <CCSweep/internal/Input.h>
 #include <CCSweep/internal/Options.h>
 #include <CCSweep/internal/Pipeline.h>
@@ -28,12 +31,28 @@
 namespace CCSweep {
 namespace internal {
 
+/// The policies of a call.
+template <class Sizing, class Solver, class Quads>
+struct Hex_policies {
+  Sizing sizing;
+  Solver solver;
+  Quads mesh_quads;
+};
+
+inline Patch_sizes to_sizing(double size) { return size; }
+template <SizingField Sizing>
+  requires(!std::is_arithmetic_v<Sizing>)
+Sizing to_sizing(const Sizing& sizing) {
+  return sizing;
+}
+
 /// Tries the possible roles, best first, till one gives a mesh.
-template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
+template <class Traits, class SegmentIndex, class PointIndex, class Visitor, class Policies>
 class Hex_pipeline {
  public:
-  Hex_pipeline(const Part<Traits>& part, const Options& options, double size, Visitor& visitor)
-      : part_(part), options_(options), size_(size), visitor_(visitor), run_(visitor) {}
+  Hex_pipeline(const Part<Traits>& part, const Options& options, const Policies& policies, Visitor& visitor)
+      : part_(part), options_(options), policies_(policies), size_(policies.sizing.on_part()), visitor_(visitor),
+        run_(visitor) {}
 
   Hex_mesh operator()() {
     check_size();
@@ -53,15 +72,16 @@ class Hex_pipeline {
   // Far more hexahedra than fit a computer are a slip of the pen, not a wish.
   void check_size() const {
     constexpr double most = 5e7;
-    if (!std::isfinite(size_) || !(size_ > 0))
-      fail(Status_code::invalid_parameter, Stage::hex_mesh, "the size must be a number above 0");
+    if (!policies_.sizing.are_valid() || !std::isfinite(size_) || !(size_ > 0))
+      fail(Status_code::invalid_parameter, Stage::hex_mesh, "every size must be a number above 0");
+    const double smallest = size_between(policies_.sizing, part_.patch_id);
     double volume = 0;
     for (auto f : part_.mesh.faces()) {
       const auto h = part_.mesh.halfedge(f);
       volume += dot(part_.coordinates(part_.mesh.source(h)) - part_.coordinates(*part_.mesh.vertices().begin()),
                     part_.area[f] * part_.normal[f]) / 3;
     }
-    if (!(volume / size_ / size_ / size_ <= most) || !(part_.diagonal / size_ <= most))
+    if (!(volume / size_ / size_ / size_ <= most) || !(part_.diagonal / smallest <= std::sqrt(most)))
       fail(Status_code::invalid_parameter, Stage::hex_mesh, "at this size there would be too many hexahedra");
   }
 
@@ -81,13 +101,15 @@ class Hex_pipeline {
         const Layer_stack stack = make_layer_stack(layering, loops, roles.is_straight(), tolerance);
         const Cap_drop<Traits> drop(part_);
         const Arc_stack arcs = make_arc_stack(stack, drop);
-        return make_hex_mesh(stack, arcs, part_.patch_id, drop, size_);
+        return make_hex_mesh(stack, arcs, part_.patch_id, drop, policies_.sizing, policies_.solver,
+                             policies_.mesh_quads);
       });
     });
   }
 
   const Part<Traits>& part_;
   const Options& options_;
+  const Policies& policies_;
   double size_;
   Visitor& visitor_;
   Stage_runner<Visitor> run_;
@@ -112,6 +134,7 @@ inline constexpr bool is_decomposition<Decomposition<Point>> = true;
 /// \return the mesh, every hexahedron of which has a positive Jacobian determinant everywhere; or a status that names
 /// stage, patches and place. `hex_mesh_failed` if a hexahedron would fold, `invalid_parameter` for a size that is no
 /// positive number or absurdly small.
+/// The sizes are a number or a `SizingField`, for example `Patch_sizes(2).patch(7, 0.5)`.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each column's section.
 template <class FaceGraph, class NamedParameters>
   requires(!internal::is_decomposition<FaceGraph> && SweepMesh<FaceGraph>)
@@ -123,14 +146,19 @@ Result<Hex_mesh> hex_mesh(const FaceGraph& mesh, const NamedParameters& np) {
     using CGAL::parameters::get_parameter;
     auto&& visitor = Call::visitor(np);
     const internal::Options options = internal::unpack(np);
-    const double size = choose_parameter(get_parameter(np, CGAL::internal_np::size), 0.0);
+    const internal::Hex_policies policies{
+        internal::to_sizing(choose_parameter(get_parameter(np, CGAL::internal_np::size), 0.0)),
+        choose_parameter(get_parameter(np, internal_np::interval_solver), Parity_intervals()),
+        choose_parameter(get_parameter(np, internal_np::quad_mesher), Best_quads())};
     const Part<Traits> part = internal::read_input<Traits>(mesh, Call::points(mesh, np), Call::patches(np));
     return internal::Hex_pipeline<Traits, typename Call::Segment_index, typename Call::Point_index,
-                                  std::remove_reference_t<decltype(visitor)>>(part, options, size, visitor)();
+                                  std::remove_reference_t<decltype(visitor)>, std::remove_const_t<decltype(policies)>>(
+        part, options, policies, visitor)();
   });
 }
 
-/// Meshes a decomposition with hexahedra at any size: the part it was made of, in the same sense and with the same caps.
+/// Meshes a decomposition with hexahedra at any size: the part it was made of, in the same sense and with the same
+/// caps.
 /// \param np a sequence of named parameters; `size` is needed, roles and direction are those of the decomposition
 template <class Point, class NamedParameters>
 Result<Hex_mesh> hex_mesh(const Decomposition<Point>& decomposition, const NamedParameters& np) {

@@ -16,7 +16,9 @@
   ADD(layers_t, layers, layers)                   \
   ADD(neighbours_t, neighbours, neighbours)       \
   ADD(segment_index_t, segment_index, segment_index) \
-  ADD(point_index_t, point_index, point_index)
+  ADD(point_index_t, point_index, point_index)       \
+  ADD(interval_solver_t, interval_solver, interval_solver) \
+  ADD(quad_mesher_t, quad_mesher, quad_mesher)
 
 namespace CCSweep {
 
@@ -62,7 +64,8 @@ class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base> {
 };
 
 /// The named parameters of the library: functions that start a chain, `tolerance(1e-6).layers(4).visitor(v)`.
-/// Of CGAL's names, `vertex_point_map`, `face_patch_map`, `geom_traits`, `visitor` and `size` mean here what they mean there.
+/// Of CGAL's names, `vertex_point_map`, `face_patch_map`, `geom_traits`, `visitor` and `size` mean here what they mean
+/// there.
 ///
 /// | name | is | default |
 /// |---|---|---|
@@ -76,7 +79,9 @@ class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base> {
 /// | `spanning_angle` | `double`: how far a bent sweep may turn between two layers, in degrees | 7.5 |
 /// | `layers` | `int`: at least so many layers between two levels; the sub-volumes do not depend on it | 1 |
 /// | `neighbours` | `int`: wall nodes whose residuals a projected node heeds, eq. (4) | 10 |
-/// | `size` | `double`: edge length of the hexahedra that `hex_mesh()` makes | none: needed there |
+/// | `size` | `double` or a model of `SizingField`: edge length of the hexahedra of `hex_mesh()` | none: needed there |
+/// | `interval_solver` | a model of `IntervalSolver`, for `hex_mesh()` | `Parity_intervals` |
+/// | `quad_mesher` | a model of `QuadMesher`, for `hex_mesh()` | `Best_quads` |
 /// | `segment_index` | a model of `SegmentIndex_2`; only its type counts | an r-tree |
 /// | `point_index` | a model of `PointIndex_3`; only its type counts | an r-tree |
 namespace parameters {

@@ -4,13 +4,13 @@
 #define CCSWEEP_IO_WRITE_INP_H
 
 #include <CCSweep/IO/internal/encode.h>
-#include <CCSweep/IO/internal/staged_files.h>
+#include <CCSweep/IO/internal/encoded_file.h>
 #include <CCSweep/Status.h>
 #include <CCSweep/hex/Hex_mesh.h>
-#include <CCSweep/internal/guarded.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -47,13 +47,25 @@ inline std::map<int, std::vector<std::pair<std::size_t, int>>> faces_on_patches(
   return result;
 }
 
+// A number in no more than the 20 characters that the format allows.
+inline void append_number(std::string& out, double x) {
+  constexpr std::size_t most = 20;
+  constexpr int digits = 13;
+  const std::size_t before = out.size();
+  append_text(out, x);
+  if (out.size() - before <= most) return;
+  out.resize(before);
+  char text[2 * most];
+  out.append(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
+}
+
 inline std::string encode_inp(const Hex_mesh& mesh) {
   std::string out = "*HEADING\nhexahedral mesh\n*NODE\n";
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
     append_text(out, n + 1);
     for (double x : mesh.points[n]) {
       out += ", ";
-      append_text(out, x + 0.0);
+      append_number(out, x + 0.0);
     }
     out += '\n';
   }
@@ -82,20 +94,17 @@ inline std::string encode_inp(const Hex_mesh& mesh) {
   return out;
 }
 
+inline Encoded_file encoded_inp(const Hex_mesh& mesh, const std::filesystem::path& file) {
+  return {file, {{file.filename().string(), encode_inp(mesh)}}};
+}
+
 }  // namespace internal
 
-/// Writes a mesh as Abaqus input: elements C3D8 with an ELSET `VOLUME_i` for each sub-volume, and for each patch the NSET
-/// `PATCH_id` of its nodes and the SURFACE `SURFACE_id` of its element faces.
+/// Writes a mesh as Abaqus input: elements C3D8 with an ELSET `VOLUME_i` for each sub-volume, and for each patch the
+/// NSET `PATCH_id` of its nodes and the SURFACE `SURFACE_id` of its element faces.
 /// \return `write_failed` where that is not possible; no half-written file is left then.
 inline Status write_inp(const Hex_mesh& mesh, const std::string& file) {
-  const std::filesystem::path path(file);
-  return internal::guarded([&] {
-           internal::Staged_files files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
-           files.add(path.filename().string(), internal::encode_inp(mesh));
-           files.commit();
-           return true;
-         })
-      .status();
+  return internal::write_encoded({internal::encoded_inp(mesh, file)});
 }
 
 }  // namespace CCSweep

@@ -4,10 +4,9 @@
 #define CCSWEEP_IO_WRITE_MSH_H
 
 #include <CCSweep/IO/internal/encode.h>
-#include <CCSweep/IO/internal/staged_files.h>
+#include <CCSweep/IO/internal/encoded_file.h>
 #include <CCSweep/Status.h>
 #include <CCSweep/hex/Hex_mesh.h>
-#include <CCSweep/internal/guarded.h>
 
 #include <algorithm>
 #include <array>
@@ -150,21 +149,18 @@ class Msh_encoder {
   std::string out_;
 };
 
+inline Encoded_file encoded_msh(const Hex_mesh& mesh, const std::filesystem::path& file, Msh_version version) {
+  Msh_encoder encoder(mesh);
+  return {file, {{file.filename().string(),
+                  version == Msh_version::v4_1 ? encoder.encode_4_1() : encoder.encode_2_2()}}};
+}
+
 }  // namespace internal
 
 /// Writes a mesh in Gmsh's text format, with a physical group for each sub-volume and each patch.
 /// \return `write_failed` where that is not possible; no half-written file is left then.
 inline Status write_msh(const Hex_mesh& mesh, const std::string& file, Msh_version version = Msh_version::v4_1) {
-  const std::filesystem::path path(file);
-  return internal::guarded([&] {
-           internal::Msh_encoder encoder(mesh);
-           internal::Staged_files files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
-           files.add(path.filename().string(),
-                     version == Msh_version::v4_1 ? encoder.encode_4_1() : encoder.encode_2_2());
-           files.commit();
-           return true;
-         })
-      .status();
+  return internal::write_encoded({internal::encoded_msh(mesh, file, version)});
 }
 
 }  // namespace CCSweep

@@ -4,11 +4,10 @@
 #define CCSWEEP_IO_WRITE_VTU_H
 
 #include <CCSweep/IO/internal/encode.h>
-#include <CCSweep/IO/internal/staged_files.h>
+#include <CCSweep/IO/internal/encoded_file.h>
 #include <CCSweep/Status.h>
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/quality.h>
-#include <CCSweep/internal/guarded.h>
 
 #include <array>
 #include <bit>
@@ -25,7 +24,8 @@ namespace internal {
 class Vtu_encoder {
  public:
   Vtu_encoder(std::size_t points, std::size_t cells) {
-    header_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" ";
+    header_ =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" ";
     header_ += "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(points);
     header_ += "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n";
   }
@@ -36,7 +36,8 @@ class Vtu_encoder {
   template <class T>
   void array(const std::string& type, const std::string& name, int components, const std::vector<T>& values) {
     header_ += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-               std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(data_.size()) + "\"/>\n";
+               std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(data_.size()) +
+               "\"/>\n";
     append_little_endian(data_, static_cast<std::uint64_t>(values.size() * sizeof(T)));
     for (const T& value : values) append_little_endian(data_, value);
   }
@@ -122,21 +123,18 @@ inline std::string encode_boundary_vtu(const Hex_mesh& mesh) {
   return std::move(vtu).encode();
 }
 
+inline Encoded_file encoded_vtu(const Hex_mesh& mesh, const std::filesystem::path& file) {
+  return {file, {{file.filename().string(), encode_vtu(mesh)},
+                 {file.stem().string() + "_boundary.vtu", encode_boundary_vtu(mesh)}}};
+}
+
 }  // namespace internal
 
 /// Writes a mesh as VTK's XML unstructured grid, with the cell data `volume_id` and `scaled_jacobian`; and beside it,
 /// as NAME_boundary.vtu, the quads of its boundary with the cell data `patch_id`, `role` and `volume_id`.
 /// \return `write_failed` where that is not possible; no half-written file is left then.
 inline Status write_vtu(const Hex_mesh& mesh, const std::string& file) {
-  const std::filesystem::path path(file);
-  return internal::guarded([&] {
-           internal::Staged_files files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
-           files.add(path.filename().string(), internal::encode_vtu(mesh));
-           files.add(path.stem().string() + "_boundary.vtu", internal::encode_boundary_vtu(mesh));
-           files.commit();
-           return true;
-         })
-      .status();
+  return internal::write_encoded({internal::encoded_vtu(mesh, file)});
 }
 
 }  // namespace CCSweep

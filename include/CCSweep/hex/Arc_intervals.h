@@ -3,27 +3,88 @@
 #ifndef CCSWEEP_HEX_ARC_INTERVALS_H
 #define CCSWEEP_HEX_ARC_INTERVALS_H
 
+#include <CCSweep/Status.h>
 #include <CCSweep/hex/Arc_stack.h>
+#include <CCSweep/hex/Interval_problem.h>
 #include <CCSweep/hex/Layer_stack.h>
+#include <CCSweep/hex/trace_cells.h>
 #include <CCSweep/internal/Union_find.h>
+#include <CCSweep/internal/guarded.h>
 #include <CCSweep/part/Part.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace CCSweep {
 
-/// How many intervals each arc has. Arcs above one another have equally many; the number is even, so that every cap
-/// can be meshed by quads.
+/// How many intervals each arc has. Arcs above one another have equally many; around every cap they sum up to an even
+/// number, so that it can be meshed by quads; and the opposite sides of caps that may get a structured mesh agree.
 class Arc_intervals {
  public:
   using Half_arc = Arc_stack::Half_arc;
 
-  Arc_intervals(const Arc_stack& arcs, double size) {
+  /// \param size_of callable as `(std::size_t layer, const Arc_stack::Arc&) -> double`: the edge length wanted
+  template <class SizeOf>
+  Arc_intervals(const Arc_stack& arcs, const SizeOf& size_of) {
+    join_columns(arcs);
+    wanted_.assign(number_of_classes_, 0);
+    least_.assign(number_of_classes_, 1);
+    must_be_even_.assign(number_of_classes_, false);
+    for (std::size_t k = 0; k < arcs.arcs.size(); ++k) {
+      std::map<std::pair<Arc_stack::Node, Arc_stack::Node>, std::size_t> between;
+      for (const auto& arc : arcs.arcs[k]) ++between[std::minmax(arc.from, arc.to)];
+      for (std::size_t a = 0; a < arcs.arcs[k].size(); ++a) {
+        const auto& arc = arcs.arcs[k][a];
+        const std::size_t c = class_of_[first_[k] + a];
+        const auto [length, turning] = measure(arc);
+        wanted_[c] = std::max({wanted_[c], length / size_of(k, arc), turning / (std::numbers::pi / 6)});
+        // No two edges may join the same two nodes, and a closed curve needs the corners of a quad.
+        const std::size_t apart = arc.from == arc.to ? 4 : between[std::minmax(arc.from, arc.to)] > 1 ? 2 : 1;
+        const auto by_turning = static_cast<std::size_t>(std::ceil(turning / (std::numbers::pi / 3) - 1e-6));
+        least_[c] = std::max({least_[c], apart, by_turning});
+      }
+    }
+    for (std::size_t c = 0; c < number_of_classes_; ++c) wanted_[c] = std::max(wanted_[c], double(least_[c]));
+  }
+
+  /// \param turns by cell, as of `cell_turns()`
+  template <IntervalSolver Solver>
+  void solve(const std::vector<Cell>& cells, const std::vector<std::vector<int>>& turns, const Solver& solver) {
+    Interval_problem problem{wanted_, least_, {}, {}};
+    for (std::size_t c = 0; c < number_of_classes_; ++c)
+      if (must_be_even_[c]) problem.even.push_back({{c, 1}});
+    std::vector<std::array<Interval_problem::Row, 2>> structured;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const Cell& cell = cells[c];
+      std::map<std::size_t, int> around;
+      for (const Cell::Loop& loop : cell.loops[0])
+        for (Half_arc h : loop) ++around[arc_class(cell.top, h)];
+      problem.even.emplace_back(around.begin(), around.end());
+      if (turns[c].empty()) continue;
+      auto rows = rows_of_sides(cell, turns[c]);
+      if (is_cheap(rows[0]) && is_cheap(rows[1])) structured.push_back(std::move(rows));
+    }
+    solve(problem, structured, solver);
+  }
+
+  std::size_t operator()(std::size_t layer, Half_arc h) const { return intervals_[arc_class(layer, h)]; }
+
+  /// Asks for twice as many intervals on an arc and all that lie in its columns.
+  void refine(std::size_t layer, Half_arc h) { wanted_[arc_class(layer, h)] *= 2; }
+
+  /// Asks for an even number.
+  void make_even(std::size_t layer, Half_arc h) { must_be_even_[arc_class(layer, h)] = true; }
+
+  std::size_t arc_class(std::size_t layer, Half_arc h) const { return class_of_[first_[layer] + Arc_stack::arc_of(h)]; }
+
+ private:
+  void join_columns(const Arc_stack& arcs) {
     std::size_t count = 0;
     for (const auto& layer : arcs.arcs) {
       first_.push_back(count);
@@ -34,40 +95,79 @@ class Arc_intervals {
       for (std::size_t a = 0; a < arcs.arcs[k].size(); ++a)
         for (Half_arc below : arcs.arcs[k][a].below)
           if (below != Arc_stack::none) classes.join(first_[k] + a, first_[k - 1] + Arc_stack::arc_of(below));
-    for (std::size_t i = 0; i < count; ++i) class_of_.push_back(classes.root(i));
-    intervals_.assign(count, 2);
-    for (std::size_t k = 0; k < arcs.arcs.size(); ++k)
-      for (std::size_t a = 0; a < arcs.arcs[k].size(); ++a) {
-        std::size_t& n = intervals_[class_of_[first_[k] + a]];
-        n = std::max(n, wanted(arcs.arcs[k][a], size));
-      }
+    std::map<std::size_t, std::size_t> number;
+    for (std::size_t i = 0; i < count; ++i)
+      class_of_.push_back(number.try_emplace(classes.root(i), number.size()).first->second);
+    number_of_classes_ = number.size();
   }
 
-  std::size_t operator()(std::size_t layer, Half_arc h) const { return intervals_[arc_class(layer, h)]; }
-
-  /// Gives an arc, and all that lie in its columns, more intervals, an even number.
-  void add(std::size_t layer, Half_arc h, std::size_t more) { intervals_[arc_class(layer, h)] += more; }
-
-  std::size_t arc_class(std::size_t layer, Half_arc h) const { return class_of_[first_[layer] + Arc_stack::arc_of(h)]; }
-
- private:
-  // By the length, and by how far the arc turns: two intervals are seen as one edge of the coarse mesh.
-  static std::size_t wanted(const Arc_stack::Arc& arc, double size) {
-    constexpr double turn_of_two = std::numbers::pi / 3;
+  // The length of an arc, and how far it turns.
+  static std::pair<double, double> measure(const Arc_stack::Arc& arc) {
+    using namespace internal;
     double length = 0, turning = 0;
-    const auto& line = arc.line;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      using namespace internal;
-      length += norm(line[i + 1] - line[i]);
-      if (i > 0) turning += angle(line[i] - line[i - 1], line[i + 1] - line[i]);
+    for (std::size_t i = 0; i + 1 < arc.line.size(); ++i) {
+      length += norm(arc.line[i + 1] - arc.line[i]);
+      if (i > 0) turning += angle(arc.line[i] - arc.line[i - 1], arc.line[i + 1] - arc.line[i]);
     }
-    const double by_length = std::round(length / (2 * size)), by_turning = std::ceil(turning / turn_of_two - 1e-6);
-    return 2 * static_cast<std::size_t>(std::max({1.0, by_length, by_turning}));
+    return {length, turning};
   }
 
-  std::vector<std::size_t> first_;      // by layer
-  std::vector<std::size_t> class_of_;   // by arc of all layers
-  std::vector<std::size_t> intervals_;  // by class
+  // What the sides in opposite directions must have in common.
+  std::array<Interval_problem::Row, 2> rows_of_sides(const Cell& cell, const std::vector<int>& turns) const {
+    std::array<std::map<std::size_t, int>, 2> sums;
+    int direction = 0;
+    const Cell::Loop& loop = cell.loops[0][0];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      direction = (direction + turns[i] + 4) % 4;
+      sums[direction % 2][arc_class(cell.top, loop[i])] += direction < 2 ? 1 : -1;
+    }
+    std::array<Interval_problem::Row, 2> rows;
+    for (std::size_t s : {0, 1})
+      for (const auto& term : sums[s])
+        if (term.second != 0) rows[s].push_back(term);
+    return rows;
+  }
+
+  // Whether the two sides of a row are not too far from agreeing by themselves.
+  bool is_cheap(const Interval_problem::Row& row) const {
+    double plus = 0, minus = 0;
+    for (const auto& [c, k] : row) (k > 0 ? plus : minus) += std::abs(k) * wanted_[c];
+    return row.empty() || (plus > 0 && minus > 0 && std::abs(plus - minus) <= std::max(2.0, std::min(plus, minus)));
+  }
+
+  // Where not all caps can be structured at once, those that come first are.
+  template <class Solver>
+  void solve(Interval_problem problem, const std::vector<std::array<Interval_problem::Row, 2>>& structured,
+             const Solver& solver) {
+    const auto with = [](Interval_problem p, const std::array<Interval_problem::Row, 2>& rows) {
+      for (const auto& row : rows)
+        if (!row.empty()) p.equal.push_back(row);
+      return p;
+    };
+    Interval_problem all = problem;
+    for (const auto& rows : structured) all = with(std::move(all), rows);
+    if (auto found = solver(all)) {
+      intervals_ = std::move(*found);
+      return;
+    }
+    auto kept = solver(problem);
+    for (const auto& rows : structured)
+      if (auto found = solver(with(problem, rows))) {
+        problem = with(std::move(problem), rows);
+        kept = std::move(found);
+      }
+    if (!kept)
+      internal::fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "there are no numbers of intervals that fit");
+    intervals_ = std::move(*kept);
+  }
+
+  std::size_t number_of_classes_ = 0;
+  std::vector<std::size_t> first_;     // by layer
+  std::vector<std::size_t> class_of_;  // by arc of all layers
+  std::vector<double> wanted_;         // by class
+  std::vector<std::size_t> least_;
+  std::vector<bool> must_be_even_;
+  Intervals intervals_;
 };
 
 namespace internal {

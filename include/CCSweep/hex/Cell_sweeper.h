@@ -3,14 +3,13 @@
 #ifndef CCSWEEP_HEX_CELL_SWEEPER_H
 #define CCSWEEP_HEX_CELL_SWEEPER_H
 
+#include <CCSweep/hex/Quad_laplacian.h>
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/quality.h>
 #include <CCSweep/part/Part.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,69 +19,75 @@
 namespace CCSweep::internal {
 
 /// Carries a plane quad mesh to the layers of a cell: by the affine map that fits its outline on the layer best, and
-/// the residuals of the outline's nodes, which spread into the mesh harmonically. The harmonic spread bends nothing over
-/// that the outline does not, where weights by distance may.
+/// the residuals of the outline's nodes, which spread into the mesh harmonically. The harmonic spread bends nothing
+/// over that the outline does not, where weights by distance may.
 class Quad_carrier {
  public:
-  Quad_carrier(const Quad_mesh& mesh, std::size_t fixed) : mesh_(mesh), fixed_(fixed) {
+  Quad_carrier(const Quad_mesh& mesh, std::size_t fixed) : mesh_(mesh), fixed_(fixed), spread_(mesh, fixed) {
     for (std::size_t i = 0; i < fixed; ++i) centre_ += place(i) / double(fixed);
     Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
     for (std::size_t i = 0; i < fixed; ++i) moments += (place(i) - centre_) * (place(i) - centre_).transpose();
     inverse_ = moments.inverse();
-    factorise();
   }
 
-  /// The inner nodes of the mesh for an outline on a layer.
-  std::vector<Vec3> operator()(const std::vector<Vec3>& outline) const {
-    const Eigen::Index n = static_cast<Eigen::Index>(fixed_);
-    Eigen::MatrixXd points(n, 3);
-    for (Eigen::Index i = 0; i < n; ++i)
-      for (int x = 0; x < 3; ++x) points(i, x) = outline[i][x];
-    const Eigen::RowVector3d centre = points.colwise().mean();
-    Eigen::Matrix<double, 2, 3> fit = Eigen::Matrix<double, 2, 3>::Zero();
-    for (Eigen::Index i = 0; i < n; ++i) fit += (place(i) - centre_) * (points.row(i) - centre);
-    fit = (inverse_ * fit).eval();
-    for (Eigen::Index i = 0; i < n; ++i) points.row(i) -= centre + (place(i) - centre_).transpose() * fit;
-    std::vector<Vec3> inner(mesh_.points.size() - fixed_);
-    if (inner.empty()) return inner;
-    const Eigen::MatrixXd spread = solver_.solve(to_outline_ * points);
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      const Eigen::RowVector3d p = centre + (place(fixed_ + i) - centre_).transpose() * fit + spread.row(i);
-      inner[i] = {p[0], p[1], p[2]};
+  /// The nodes of the mesh for some outlines, each a layer: first those of the outline, then the inner ones.
+  std::vector<std::vector<Vec3>> operator()(const std::vector<std::vector<Vec3>>& outlines) const {
+    constexpr std::size_t at_once = 8;
+    std::vector<std::vector<Vec3>> layers;
+    for (std::size_t first = 0; first < outlines.size(); first += at_once) {
+      std::vector<Fit> fits;
+      for (std::size_t k = first; k < std::min(first + at_once, outlines.size()); ++k) fits.push_back(fit(outlines[k]));
+      const auto n = static_cast<Eigen::Index>(fits.size());
+      Quad_laplacian::Values residuals(static_cast<Eigen::Index>(fixed_), 3 * n);
+      for (Eigen::Index k = 0; k < n; ++k) residuals.middleCols(3 * k, 3) = residuals_of(fits[k], outlines[first + k]);
+      const Quad_laplacian::Values spread = spread_(residuals);
+      for (Eigen::Index k = 0; k < n; ++k) {
+        auto& layer = layers.emplace_back(outlines[first + k]);
+        layer.reserve(mesh_.points.size());
+        for (std::size_t i = fixed_; i < mesh_.points.size(); ++i) {
+          const auto row = static_cast<Eigen::Index>(i - fixed_);
+          const Eigen::RowVector3d p = mapped(fits[k], i) + spread.block<1, 3>(row, 3 * k);
+          layer.push_back({p[0], p[1], p[2]});
+        }
+      }
     }
-    return inner;
+    return layers;
   }
 
  private:
-  Eigen::Vector2d place(std::size_t i) const { return {mesh_.points[i][0], mesh_.points[i][1]}; }
+  // The affine map that fits an outline best.
+  struct Fit {
+    Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+    Eigen::Matrix<double, 2, 3> map = Eigen::Matrix<double, 2, 3>::Zero();
+  };
 
-  void factorise() {
-    const auto inner = static_cast<Eigen::Index>(mesh_.points.size() - fixed_);
-    std::vector<Eigen::Triplet<double>> among, to_outline;
-    for (const auto& quad : mesh_.quads)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t other : {(k + 1) % 4, (k + 3) % 4}) {
-          if (quad[k] < fixed_) continue;
-          const auto i = static_cast<Eigen::Index>(quad[k] - fixed_);
-          among.emplace_back(i, i, 1);
-          if (quad[other] < fixed_)
-            to_outline.emplace_back(i, quad[other], 1);
-          else
-            among.emplace_back(i, static_cast<Eigen::Index>(quad[other] - fixed_), -1);
-        }
-    Eigen::SparseMatrix<double> matrix(inner, inner);
-    matrix.setFromTriplets(among.begin(), among.end());
-    to_outline_.resize(inner, static_cast<Eigen::Index>(fixed_));
-    to_outline_.setFromTriplets(to_outline.begin(), to_outline.end());
-    if (inner > 0) solver_.compute(matrix);
+  Fit fit(const std::vector<Vec3>& outline) const {
+    Fit fit;
+    for (std::size_t i = 0; i < fixed_; ++i) fit.centre += row(outline[i]) / double(fixed_);
+    for (std::size_t i = 0; i < fixed_; ++i) fit.map += (place(i) - centre_) * (row(outline[i]) - fit.centre);
+    fit.map = (inverse_ * fit.map).eval();
+    return fit;
   }
+
+  Eigen::RowVector3d mapped(const Fit& fit, std::size_t i) const {
+    return fit.centre + (place(i) - centre_).transpose() * fit.map;
+  }
+
+  Eigen::Matrix<double, Eigen::Dynamic, 3> residuals_of(const Fit& fit, const std::vector<Vec3>& outline) const {
+    Eigen::Matrix<double, Eigen::Dynamic, 3> residuals(static_cast<Eigen::Index>(fixed_), 3);
+    for (std::size_t i = 0; i < fixed_; ++i)
+      residuals.row(static_cast<Eigen::Index>(i)) = row(outline[i]) - mapped(fit, i);
+    return residuals;
+  }
+
+  static Eigen::RowVector3d row(const Vec3& p) { return {p[0], p[1], p[2]}; }
+  Eigen::Vector2d place(std::size_t i) const { return {mesh_.points[i][0], mesh_.points[i][1]}; }
 
   const Quad_mesh& mesh_;
   std::size_t fixed_;
   Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
   Eigen::Matrix2d inverse_;
-  Eigen::SparseMatrix<double> to_outline_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  Quad_laplacian spread_;
 };
 
 /// The nodes of a cell, by layer from the bottom up; on each first those of the outline.
@@ -112,10 +117,9 @@ Cell_nodes sweep_cell(const Quad_mesh& mesh, const std::vector<std::vector<Vec3>
                       const std::vector<double>& heights, const Drop& drop_to_target, const Drop& drop_to_source) {
   const std::size_t fixed = outlines[0].size();
   const Quad_carrier carry(mesh, fixed);
-  Cell_nodes layers;
-  for (const auto& outline : outlines) layers.push_back(carry(outline));
+  Cell_nodes layers = carry(outlines);
   const std::size_t n = layers.size();
-  for (std::size_t i = 0; i < layers[0].size(); ++i) {
+  for (std::size_t i = fixed; i < layers[0].size(); ++i) {
     const Vec3 at_bottom = drop_to_target(layers[0][i]) - layers[0][i];
     const Vec3 at_top = drop_to_source(layers[n - 1][i]) - layers[n - 1][i];
     for (std::size_t k = 0; k < n; ++k) {
@@ -123,7 +127,6 @@ Cell_nodes sweep_cell(const Quad_mesh& mesh, const std::vector<std::vector<Vec3>
       layers[k][i] = layers[k][i] + ((1 - t) * at_bottom + t * at_top);
     }
   }
-  for (std::size_t k = 0; k < n; ++k) layers[k].insert(layers[k].begin(), outlines[k].begin(), outlines[k].end());
   return layers;
 }
 

@@ -7,12 +7,17 @@
 #include <CCSweep/hex/Arc_intervals.h>
 #include <CCSweep/hex/Arc_nodes.h>
 #include <CCSweep/hex/Arc_stack.h>
-#include <CCSweep/hex/Cell_sides.h>
 #include <CCSweep/hex/Cell_sweeper.h>
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/Layer_stack.h>
+#include <CCSweep/hex/Parity_intervals.h>
+#include <CCSweep/hex/cell_turns.h>
 #include <CCSweep/hex/even_heights.h>
 #include <CCSweep/hex/mesh_quads.h>
+#include <CCSweep/hex/outline_faults.h>
+#include <CCSweep/hex/plane.h>
+#include <CCSweep/hex/sizing.h>
+#include <CCSweep/hex/smooth_hexes.h>
 #include <CCSweep/hex/trace_cells.h>
 #include <CCSweep/internal/guarded.h>
 
@@ -20,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,32 +34,56 @@ namespace CCSweep {
 namespace internal {
 
 /// Meshes all cells of a part, with the nodes on their arcs shared.
-template <class CapDrop>
+template <class CapDrop, SizingField Sizing, IntervalSolver Solver, QuadMesher Quads>
 class Hex_mesher {
  public:
   Hex_mesher(const Layer_stack& stack, const Arc_stack& arcs, const std::vector<int>& patch_id, const CapDrop& drop,
-             double size)
-      : stack_(stack), arcs_(arcs), patch_id_(patch_id), drop_(drop), size_(size), cells_(trace_cells(stack, arcs)) {
+             const Sizing& sizing, const Solver& solver, const Quads& mesh_quads)
+      : stack_(stack), arcs_(arcs), patch_id_(patch_id), drop_(drop), sizing_(sizing), solver_(solver),
+        mesh_quads_(mesh_quads), cells_(trace_cells(stack, arcs)) {
     number_volumes();
+    for (const Cell& cell : cells_) turns_.push_back(cell_turns(stack_, arcs_, cell));
   }
 
+  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided, and then
+  /// more intervals.
   Hex_mesh run() {
     constexpr int tries = 5;
-    Arc_intervals intervals(arcs_, size_);
-    for (const Cell& cell : cells_) corners_.push_back(quadrangle_corners(stack_, arcs_, cell));
+    Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {
+      return size_between(sizing_, patches_of(k, arc));
+    });
+    Hex_mesh best;
+    double best_quality = -2;
+    std::size_t most = 0;
     for (int i = 0; i < tries; ++i) {
-      balance_quadrangles(cells_, corners_, intervals);
-      const std::vector<std::size_t> too_coarse = mesh_all(intervals);
-      const bool all_meshed = number_of_meshed_ == cells_.size();
-      if (too_coarse.empty() || (all_meshed && i + 1 == tries)) return std::move(mesh_);
-      for (std::size_t c : too_coarse) refine(cells_[c], intervals);
+      intervals.solve(cells_, turns_, solver_);
+      const std::vector<double> quality = mesh_all(intervals);
+      const double worst = *std::min_element(quality.begin(), quality.end());
+      // More hexahedra must be worth it.
+      if (best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 2 ? small_gain : large_gain)) {
+        best_quality = worst;
+        best = mesh_;
+      }
+      if (most == 0 && worst > -2) most = growth * mesh_.hexes.size();
+      if (best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most)) break;
+      for (std::size_t c = 0; c < cells_.size(); ++c)
+        if (i == 0 && quality[c] < good)
+          make_even(cells_[c], intervals);
+        else if (quality[c] < acceptable)
+          refine(c, intervals);
     }
-    fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
+    if (best_quality == -2)
+      fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
+    return best;
   }
 
  private:
   using Nodes = Arc_nodes<CapDrop>;
   using Drop = std::function<Vec3(const Vec3&)>;
+
+  // Scaled Jacobians: below the one a mesh is tried again, up to the other its nodes are moved.
+  static constexpr double acceptable = 0.1, good = 0.3, small_gain = 0.01, large_gain = 0.05;
+  static constexpr std::size_t growth = 4;  // of the number of hexahedra from try to try
 
   // Sub-volumes ascend by the id of their target, as in a decomposition.
   void number_volumes() {
@@ -63,35 +93,91 @@ class Hex_mesher {
     };
     std::sort(targets_.begin(), targets_.end(), by_id);
     targets_.erase(std::unique(targets_.begin(), targets_.end()), targets_.end());
-    for (Patch_index target : targets_) mesh_.targets.push_back(patch_id_[target.value()]);
   }
 
-  static void refine(const Cell& cell, Arc_intervals& intervals) {
+  // The ids of the patches that an arc lies on.
+  std::vector<int> patches_of(std::size_t layer, const Arc_stack::Arc& arc) const {
+    std::vector<int> ids;
+    const auto add = [&](Patch_index patch) {
+      if (patch.is_valid()) ids.push_back(patch_id_[patch.value()]);
+    };
+    for (const auto* side : {&arc.left, &arc.right}) {
+      add(side->source);
+      if (side->target.is_valid() && stack_.layer_of_cap[side->target.value()] == layer) add(side->target);
+    }
+    for (Patch_index wall : arc.wall) add(wall);
+    return ids;
+  }
+
+  static void make_even(const Cell& cell, Arc_intervals& intervals) {
     for (const Cell::Loop& loop : cell.loops[0])
-      for (Arc_stack::Half_arc h : loop) intervals.add(cell.top, h, intervals(cell.top, h));
+      for (Arc_stack::Half_arc h : loop) intervals.make_even(cell.top, h);
   }
 
-  // Returns the cells whose outline is too coarse: they can't be meshed, or come out folded or nearly so.
-  std::vector<std::size_t> mesh_all(const Arc_intervals& intervals) {
-    constexpr double bad = 0.02;
-    std::vector<std::size_t> too_coarse;
-    number_of_meshed_ = 0;
-    const std::vector<int> targets = mesh_.targets;
+  // Refines the arcs at fault, or all where there is none.
+  void refine(std::size_t c, Arc_intervals& intervals) const {
+    const Cell& cell = cells_[c];
+    std::vector<Arc_stack::Half_arc> halves;
+    for (const Cell::Loop& loop : cell.loops[0]) halves.insert(halves.end(), loop.begin(), loop.end());
+    std::set<std::size_t> faults;
+    for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(arcs_too_coarse(edges_of(c, k, intervals)));
+    for (std::size_t i = 0; i < halves.size(); ++i)
+      if (faults.empty() || faults.count(i) > 0) intervals.refine(cell.top, halves[i]);
+  }
+
+  // The outline of a cell on a layer, as of the last try.
+  std::vector<Outline_edge> edges_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals) const {
+    const Plane_chart plane(stack_.layers[layer].up);
+    std::vector<Point2> nodes;
+    for (std::uint32_t n : outlines_[c][layer - cells_[c].bottom]) nodes.push_back(plane(mesh_.points[n]));
+    std::vector<Outline_edge> edges;
+    std::size_t arc = 0;
+    for (const Cell::Loop& loop : cells_[c].loops[0]) {
+      const std::size_t first = edges.size();
+      for (Arc_stack::Half_arc h : loop) {
+        for (std::size_t i = 0; i < intervals(cells_[c].top, h); ++i)
+          edges.push_back({nodes[edges.size()], {}, arc});
+        ++arc;
+      }
+      for (std::size_t e = first; e < edges.size(); ++e) edges[e].b = nodes[e + 1 < edges.size() ? e + 1 : first];
+    }
+    return edges;
+  }
+
+  // Returns the least scaled Jacobian of each cell; -2 where it can't be meshed.
+  std::vector<double> mesh_all(const Arc_intervals& intervals) {
     mesh_ = Hex_mesh();
-    mesh_.targets = targets;
+    patch_.clear();
+    for (Patch_index target : targets_) mesh_.targets.push_back(patch_id_[target.value()]);
     Nodes nodes(stack_, arcs_, intervals, drop_);
-    std::vector<std::vector<std::vector<std::uint32_t>>> outlines(cells_.size());  // by cell and layer from the bottom
+    outlines_.assign(cells_.size(), {});
     for (std::size_t c = 0; c < cells_.size(); ++c)
       for (std::size_t k = cells_[c].bottom; k <= cells_[c].top; ++k) {
-        outlines[c].emplace_back();
+        outlines_[c].emplace_back();
         for (const Cell::Loop& loop : cells_[c].loops[cells_[c].top - k])
-          for (std::uint32_t n : nodes.around(k, loop)) outlines[c].back().push_back(n);
+          for (std::uint32_t n : nodes.around(k, loop)) outlines_[c].back().push_back(n);
       }
     if (stack_.is_straight) Even_heights(stack_, arcs_, nodes).run();
     mesh_.points = nodes.points;
+    std::vector<std::size_t> first{0};  // hexahedron, by cell
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      mesh_cell(c, intervals, outlines_[c]);
+      first.push_back(mesh_.hexes.size());
+    }
+    const std::vector<double> quality = smooth();
+    std::vector<double> worst(cells_.size(), -2);
     for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (mesh_cell(c, intervals, outlines[c]) < bad) too_coarse.push_back(c);
-    return too_coarse;
+      if (first[c] < first[c + 1])
+        worst[c] = *std::min_element(quality.begin() + static_cast<std::ptrdiff_t>(first[c]),
+                                     quality.begin() + static_cast<std::ptrdiff_t>(first[c + 1]));
+    return worst;
+  }
+
+  std::vector<double> smooth() {
+    const auto drop = [&](Patch_index cap, const Vec3& p) {
+      return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up);
+    };
+    return Hex_smoother(mesh_, patch_, drop).run(good);
   }
 
   Quad_region region_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals,
@@ -103,19 +189,19 @@ class Hex_mesher {
     for (const Cell::Loop& loop : cell.loops[0]) {
       auto& made = region.loops.emplace_back();
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const bool is_corner = region.loops.size() == 1 && std::count(corners_[c].begin(), corners_[c].end(), i) > 0;
-        if (is_corner) made.corners.push_back(made.nodes.size());
+        const int turn = turns_[c].empty() ? 0 : turns_[c][i];
+        if (turn > 0) made.corners.push_back(made.nodes.size());
+        if (turn < 0) made.reflex.push_back(made.nodes.size());
         for (std::size_t k = 0; k < intervals(cell.top, loop[i]); ++k) made.nodes.push_back(plane(outline[at++]));
       }
     }
     return region;
   }
 
-  // Returns the least scaled Jacobian.
-  double mesh_cell(std::size_t c, const Arc_intervals& intervals,
+  void mesh_cell(std::size_t c, const Arc_intervals& intervals,
                    const std::vector<std::vector<std::uint32_t>>& outlines) {
-    constexpr double good = 0.3;
     const Cell& cell = cells_[c];
+    const double size = size_between(sizing_, {patch_id_[cell.source.value()], patch_id_[cell.target.value()]});
     std::vector<std::vector<Vec3>> points;
     std::vector<double> heights;
     for (std::size_t k = 0; k < outlines.size(); ++k) {
@@ -130,7 +216,7 @@ class Hex_mesher {
     double best = -2;
     // The layer on which the cap's mesh is made matters where the cell widens or bends.
     for (std::size_t k : {outlines.size() - 1, std::size_t(0), outlines.size() / 2}) {
-      auto made = mesh_quads(region_of(c, cell.bottom + k, intervals, points[k]), size_);
+      auto made = mesh_quads_(region_of(c, cell.bottom + k, intervals, points[k]), size);
       if (!made) continue;
       Cell_nodes swept = sweep_cell(*made, points, heights, to_target, to_source);
       const double quality = worst_quality(*made, swept);
@@ -140,10 +226,7 @@ class Hex_mesher {
       nodes = std::move(swept);
       if (best >= good) break;
     }
-    if (best == -2) return best;
-    add_cell(c, intervals, outlines, quads, nodes);
-    ++number_of_meshed_;
-    return best;
+    if (best > -2) add_cell(c, intervals, outlines, quads, nodes);
   }
 
   void add_cell(std::size_t c, const Arc_intervals& intervals, const std::vector<std::vector<std::uint32_t>>& outlines,
@@ -164,6 +247,7 @@ class Hex_mesher {
       }
     const auto add_quad = [&](std::array<std::uint32_t, 4> quad, Patch_index patch, Role role) {
       mesh_.boundary.push_back({quad, patch_id_[patch.value()], role, volume});
+      patch_.push_back(patch);
     };
     for (const auto& [a, b, d, e] : quads.quads) {
       const auto &low = number.front(), &high = number.back();
@@ -197,12 +281,15 @@ class Hex_mesher {
   const Arc_stack& arcs_;
   const std::vector<int>& patch_id_;
   const CapDrop& drop_;
-  double size_;
+  const Sizing& sizing_;
+  const Solver& solver_;
+  const Quads& mesh_quads_;
   std::vector<Cell> cells_;
-  std::vector<std::vector<std::size_t>> corners_;  // by cell
-  std::vector<Patch_index> targets_;               // by sub-volume
-  std::size_t number_of_meshed_ = 0;               // cells
+  std::vector<std::vector<int>> turns_;  // by cell
+  std::vector<Patch_index> targets_;     // by sub-volume
   Hex_mesh mesh_;
+  std::vector<std::vector<std::vector<std::uint32_t>>> outlines_;  // by cell and layer from the bottom: the nodes
+  std::vector<Patch_index> patch_;       // by boundary quad
 };
 
 /// Fails with the place of a hexahedron that can't be shown to be positive everywhere.
@@ -226,13 +313,17 @@ inline void certify(const Hex_mesh& mesh) {
 ///
 /// \param patch_id the id of each patch of the part
 /// \param drop_to_cap as in `make_arc_stack()`
-/// \param size the edge length wanted
+/// \param sizing the edge lengths wanted
+/// \param solver what chooses the numbers of intervals
+/// \param mesh_quads what meshes a section of a cell
 /// \return the mesh; throws `internal::Failure` where a hexahedron would not be positive.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each cell.
-template <class CapDrop>
+template <class CapDrop, SizingField Sizing, IntervalSolver Solver = Parity_intervals, QuadMesher Quads = Best_quads>
 Hex_mesh make_hex_mesh(const Layer_stack& stack, const Arc_stack& arcs, const std::vector<int>& patch_id,
-                       const CapDrop& drop_to_cap, double size) {
-  Hex_mesh mesh = internal::Hex_mesher<CapDrop>(stack, arcs, patch_id, drop_to_cap, size).run();
+                       const CapDrop& drop_to_cap, const Sizing& sizing, const Solver& solver = {},
+                       const Quads& mesh_quads = {}) {
+  internal::Hex_mesher mesher(stack, arcs, patch_id, drop_to_cap, sizing, solver, mesh_quads);
+  Hex_mesh mesh = mesher.run();
   internal::certify(mesh);
   return mesh;
 }

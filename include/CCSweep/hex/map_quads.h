@@ -12,8 +12,8 @@ namespace CCSweep {
 
 /// Whether a region is bounded by four sides of which opposite ones have equally many nodes.
 inline bool is_mappable(const Quad_region& region) {
-  if (region.loops.size() != 1 || region.loops[0].corners.size() != 4) return false;
   const auto& c = region.loops[0].corners;
+  if (region.loops.size() != 1 || c.size() != 4 || !region.loops[0].reflex.empty()) return false;
   const std::size_t n = region.loops[0].nodes.size();
   return c[1] - c[0] == c[3] - c[2] && c[2] - c[1] == c[0] + n - c[3];
 }

@@ -5,13 +5,17 @@
 
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/map_quads.h>
+#include <CCSweep/hex/match_quads.h>
 #include <CCSweep/hex/pair_quads.h>
 #include <CCSweep/hex/quad_quality.h>
 #include <CCSweep/hex/smooth_quads.h>
+#include <CCSweep/hex/submap_quads.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace CCSweep {
 
@@ -24,26 +28,59 @@ inline double worst_quality(const Quad_mesh& mesh) {
   return worst;
 }
 
-/// Meshes a region with quads: structured where it has four sides that agree and that comes out well, else by pairing
-/// triangles. The nodes on its loops are kept.
-/// \param size the edge length wanted inside
-/// \return nothing where the nodes on the loops are too coarse to outline the region
-inline std::optional<Quad_mesh> mesh_quads(const Quad_region& region, double size) {
-  constexpr double good = 0.4;
-  std::size_t fixed = 0;
-  for (const auto& loop : region.loops) fixed += loop.nodes.size();
-  std::optional<Quad_mesh> best;
-  if (is_mappable(region)) {
-    best = map_quads(region);
-    if (worst_quality(*best) < good) smooth_quads(*best, fixed);
-    if (worst_quality(*best) >= good) return best;
+/// What meshes plane regions with quads, keeping the nodes on their loops as the first ones of the mesh.
+template <class Mesher>
+concept QuadMesher = std::copy_constructible<Mesher> &&
+    requires(const Mesher& mesher, const Quad_region& r, double size) {
+  { mesher(r, size) } -> std::same_as<std::optional<Quad_mesh>>;
+};
+
+/// Meshes by matching triangles into quads. \sa `match_quads()`
+struct Matched_quads {
+  std::optional<Quad_mesh> operator()(const Quad_region& region, double size) const {
+    auto mesh = match_quads(region, size);
+    if (mesh) smooth_quads(*mesh, number_of_nodes(region));
+    return mesh;
   }
-  auto paired = pair_quads(region, size);
-  if (!paired) return best;
-  smooth_quads(*paired, fixed);
-  if (!best || worst_quality(*paired) > worst_quality(*best)) best = std::move(paired);
-  return best;
-}
+};
+
+/// Meshes by pairing triangles of twice the size and subdividing pairs and triangles. \sa `pair_quads()`
+struct Subdivided_quads {
+  std::optional<Quad_mesh> operator()(const Quad_region& region, double size) const {
+    auto mesh = pair_quads(region, size);
+    if (mesh) smooth_quads(*mesh, number_of_nodes(region));
+    return mesh;
+  }
+};
+
+/// Meshes regions whose outline allows it with a structured mesh. \sa `map_quads()`, `submap_quads()`
+struct Structured_quads {
+  std::optional<Quad_mesh> operator()(const Quad_region& region, double) const {
+    constexpr double good = 0.4;
+    auto mesh = is_mappable(region) ? std::optional(map_quads(region)) : submap_quads(region);
+    if (mesh && worst_quality(*mesh) < good) smooth_quads(*mesh, number_of_nodes(region));
+    return mesh;
+  }
+};
+
+/// The default: a structured mesh where there is one and it comes out well, else matched triangles, else subdivided
+/// ones; where none of them comes out well, the best of the three.
+struct Best_quads {
+  std::optional<Quad_mesh> operator()(const Quad_region& region, double size) const {
+    std::optional<Quad_mesh> best;
+    double quality = -2;
+    const auto is_good = [&](std::optional<Quad_mesh> made, double good) {
+      if (const double q = made ? worst_quality(*made) : -2; q > quality) {
+        quality = q;
+        best = std::move(made);
+      }
+      return quality >= good;
+    };
+    if (is_good(Structured_quads()(region, size), 0.4) || is_good(Matched_quads()(region, size), 0.65)) return best;
+    is_good(Subdivided_quads()(region, size), 1);
+    return best;
+  }
+};
 
 }  // namespace CCSweep
 

@@ -3,12 +3,11 @@
 #ifndef CCSWEEP_HEX_PAIR_QUADS_H
 #define CCSWEEP_HEX_PAIR_QUADS_H
 
-#include <CCSweep/hex/Coarse_triangulation.h>
 #include <CCSweep/hex/Quad_region.h>
-#include <CCSweep/hex/quad_quality.h>
+#include <CCSweep/hex/Cap_triangulation.h>
+#include <CCSweep/hex/pair_triangles.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -19,49 +18,15 @@
 namespace CCSweep {
 namespace internal {
 
-/// The least sine of the angles that a coarse quad will have when it is subdivided.
-inline double quality_of_pair(const Coarse_triangulation& coarse, const std::array<std::uint32_t, 4>& quad) {
-  const auto& p = coarse.points;
-  double worst = quad_scaled_jacobian(p[quad[0]], p[quad[1]], p[quad[2]], p[quad[3]]);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Point2 &here = p[quad[i]], &after = coarse.towards(quad[i], quad[(i + 1) % 4]),
-                 &before = coarse.towards(quad[i], quad[(i + 3) % 4]);
-    worst = std::min(worst, turn(here, after, before) / (length_between(here, after) * length_between(here, before)));
-  }
-  return worst;
-}
-
 /// Triangles joined to quads where these are good; the rest stay triangles.
-inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Coarse_triangulation& coarse) {
-  struct Pair {
-    double quality;
-    std::size_t first, second;
-    std::array<std::uint32_t, 4> quad;
-  };
+inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Cap_triangulation& coarse) {
   constexpr double least = 0.3;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> side;  // triangle, corner
-  for (std::size_t t = 0; t < coarse.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) side[{coarse.triangles[t][i], coarse.triangles[t][(i + 1) % 3]}] = {t, i};
-  std::vector<Pair> pairs;
-  for (const auto& [edge, here] : side) {
-    const auto there = side.find({edge.second, edge.first});
-    if (there == side.end() || edge.first > edge.second) continue;
-    const std::uint32_t tip = coarse.triangles[here.first][(here.second + 2) % 3];
-    const std::uint32_t foot = coarse.triangles[there->second.first][(there->second.second + 2) % 3];
-    const double quality = quality_of_pair(coarse, {edge.first, foot, edge.second, tip});
-    if (quality > least)
-      pairs.push_back({quality, here.first, there->second.first, {edge.first, foot, edge.second, tip}});
-  }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.quality > b.quality; });
-  std::vector<bool> used(coarse.triangles.size(), false);
+  const std::vector<Triangle_pair> pairs = pairs_of_triangles(coarse, least);
+  const std::vector<std::size_t> chosen = choose_pairs(pairs, coarse.triangles.size(), false);
   std::vector<std::vector<std::uint32_t>> cells;
-  for (const Pair& pair : pairs) {
-    if (used[pair.first] || used[pair.second]) continue;
-    used[pair.first] = used[pair.second] = true;
-    cells.emplace_back(pair.quad.begin(), pair.quad.end());
-  }
-  for (std::size_t t = 0; t < used.size(); ++t)
-    if (!used[t]) cells.emplace_back(coarse.triangles[t].begin(), coarse.triangles[t].end());
+  for (std::size_t i : chosen) cells.emplace_back(pairs[i].quad.begin(), pairs[i].quad.end());
+  for (std::size_t t : left_over(pairs, chosen, coarse.triangles.size()))
+    cells.emplace_back(coarse.triangles[t].begin(), coarse.triangles[t].end());
   return cells;
 }
 
@@ -69,7 +34,7 @@ inline std::vector<std::vector<std::uint32_t>> pair_triangles(const Coarse_trian
 /// those are the nodes that the coarse cells left out.
 class Midpoint_subdivision {
  public:
-  explicit Midpoint_subdivision(const Coarse_triangulation& coarse) {
+  explicit Midpoint_subdivision(const Cap_triangulation& coarse) {
     mesh_.points = coarse.points;
     for (const auto& [edge, node] : coarse.middles()) middle_[std::minmax(edge.first, edge.second)] = node;
   }
@@ -109,10 +74,12 @@ class Midpoint_subdivision {
 
 /// An unstructured mesh of a region: triangles of twice the size are paired to quads, and every cell is subdivided, so
 /// that triangles left over do no harm.
-/// \return nothing where every second node of the loops is too coarse to outline the region.
+/// \return nothing where a loop has an odd number of nodes, or every second one is too coarse to outline the region.
 /// Complexity: O(n log n) in the quads, times the nodes on the loops for the size that is wanted at a place.
 inline std::optional<Quad_mesh> pair_quads(const Quad_region& region, double size) {
-  internal::Coarse_triangulation coarse(region, size);
+  for (const auto& loop : region.loops)
+    if (loop.nodes.size() % 2 != 0) return std::nullopt;
+  internal::Cap_triangulation coarse(region, size, 2);
   if (!coarse.run()) return std::nullopt;
   const auto cells = internal::pair_triangles(coarse);
   return internal::Midpoint_subdivision(coarse).run(cells);

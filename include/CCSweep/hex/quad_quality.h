@@ -18,6 +18,10 @@ inline double turn(const Point2& a, const Point2& b, const Point2& c) {
 
 inline double length_between(const Point2& a, const Point2& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
+inline double squared_length(const Point2& a, const Point2& b) {
+  return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
+}
+
 /// The least sine of a quad's four angles, counter-clockwise: 1 for a rectangle, negative where it folds.
 inline double quad_scaled_jacobian(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const Point2* const p[4] = {&a, &b, &c, &d};
@@ -37,8 +41,8 @@ inline double quad_shape(const Point2& a, const Point2& b, const Point2& c, cons
   double worst = 1;
   for (int i = 0; i < 4; ++i) {
     const Point2 &before = *p[(i + 3) % 4], &here = *p[i], &after = *p[(i + 1) % 4];
-    const double s = length_between(here, after), t = length_between(here, before);
-    worst = std::min(worst, s * s + t * t > 0 ? 2 * turn(here, after, before) / (s * s + t * t) : -1.0);
+    const double sum = squared_length(here, after) + squared_length(here, before);
+    worst = std::min(worst, sum > 0 ? 2 * turn(here, after, before) / sum : -1.0);
   }
   return worst;
 }

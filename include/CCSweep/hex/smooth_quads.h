@@ -34,9 +34,11 @@ class Quad_smoother {
  private:
   static constexpr double good = 0.6;
 
-  double quality_around(std::size_t n) const {
+  // Of the worst quad around a node, or of any that is worse than asked for.
+  double quality_around(std::size_t n, double wanted = -2) const {
     double worst = 1;
     for (std::uint32_t q : quads_of_[n]) {
+      if (worst < wanted) break;
       const auto& [a, b, c, d] = mesh_.quads[q];
       worst = std::min(worst, quad_shape(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]));
     }
@@ -61,22 +63,23 @@ class Quad_smoother {
     double step = 0;
     for (std::uint32_t q : quads_of_[n])
       step = std::max(step, length_between(mesh_.points[mesh_.quads[q][0]], mesh_.points[mesh_.quads[q][2]]));
-    for (step /= 3; quads_of_[n].size() > 0 && step > 0; step /= 2) {
-      bool moved = false;
-      for (int i = 0; i < 8; ++i) {
-        const double angle = i * std::numbers::pi / 4, before = quality_around(n);
+    constexpr int halvings = 7;
+    constexpr double gain = 1e-4, slant = std::numbers::sqrt2 / 2;
+    constexpr Point2 ways[8] = {{1, 0}, {slant, slant}, {0, 1}, {-slant, slant},
+                                {-1, 0}, {-slant, -slant}, {0, -1}, {slant, -slant}};
+    step /= 3;
+    double best = quality_around(n);
+    for (int i = 0; i < halvings; ++i, step /= 2)
+      for (const Point2& way : ways) {
         const Point2 p = mesh_.points[n];
-        moved |= try_place(n, {p[0] + step * std::cos(angle), p[1] + step * std::sin(angle)}, before + 1e-6);
+        if (try_place(n, {p[0] + step * way[0], p[1] + step * way[1]}, best + gain)) best = quality_around(n);
       }
-      if (!moved && (least_step_ *= 0.5) < 0.02) break;
-    }
-    least_step_ = 1;
   }
 
   bool try_place(std::size_t n, const Point2& p, double wanted) {
     const Point2 old = mesh_.points[n];
     mesh_.points[n] = p;
-    if (quality_around(n) >= wanted) return true;
+    if (quality_around(n, wanted) >= wanted) return true;
     mesh_.points[n] = old;
     return false;
   }
@@ -84,7 +87,6 @@ class Quad_smoother {
   Quad_mesh& mesh_;
   std::size_t fixed_;
   std::vector<std::vector<std::uint32_t>> quads_of_;
-  double least_step_ = 1;
 };
 
 }  // namespace internal

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CCSWEEP_HEX_COARSE_TRIANGULATION_H
-#define CCSWEEP_HEX_COARSE_TRIANGULATION_H
+#ifndef CCSWEEP_HEX_CAP_TRIANGULATION_H
+#define CCSWEEP_HEX_CAP_TRIANGULATION_H
 
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/quad_quality.h>
@@ -10,6 +10,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+#include <boost/geometry/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,34 +27,44 @@
 
 namespace CCSweep::internal {
 
-/// Triangles of twice the size, over every second node of a region's loops and points inside; to be paired and
-/// subdivided.
-class Coarse_triangulation {
+/// Triangles over the nodes of a region's loops and points inside, to be paired to quads; or of twice the size, over
+/// every second node of the loops, to be paired and subdivided.
+class Cap_triangulation {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
   struct Edge {
-    std::uint32_t a, b;  // nodes of the region two apart
+    std::uint32_t a, b;  // nodes of the region, neighbours or two apart
   };
 
-  Coarse_triangulation(const Quad_region& region, double size) : size_(2 * size) {
+  /// \param stride 1 for all nodes of the loops, 2 for every second one
+  Cap_triangulation(const Quad_region& region, double size, std::uint32_t stride) : size_(stride * size) {
     std::uint32_t first = 0;
     std::map<Point2, std::uint32_t> node_at;  // an outline may touch itself in a node, which then is one
     for (const auto& loop : region.loops) {
       const auto n = static_cast<std::uint32_t>(loop.nodes.size());
-      for (std::uint32_t i = 0; i < n; i += 2) {
-        const std::uint32_t j = (i + 2) % n;
+      for (std::uint32_t i = 0; i < n; i += stride) {
+        const std::uint32_t j = (i + stride) % n;
         const std::uint32_t a = node_at.try_emplace(loop.nodes[i], first + i).first->second;
         const std::uint32_t b = node_at.try_emplace(loop.nodes[j], first + j).first->second;
         edges_.push_back({a, b});
         ends_.push_back({loop.nodes[i], loop.nodes[j]});
-        middle_[{a, b}] = first + i + 1;
+        // A short edge between long ones asks for no small quads around it.
+        const Point2 &before = loop.nodes[(i + n - stride) % n], &after = loop.nodes[(j + stride) % n];
+        length_.push_back(std::max({length_between(loop.nodes[i], loop.nodes[j]), length_between(before, loop.nodes[i]),
+                                    length_between(loop.nodes[j], after)}));
+        if (stride == 2) middle_[{a, b}] = first + i + 1;
       }
       points.insert(points.end(), loop.nodes.begin(), loop.nodes.end());
       first += n;
     }
+    number_on_loops = points.size();
+    std::vector<std::pair<Segment, std::size_t>> boxes;
+    for (std::size_t e = 0; e < ends_.size(); ++e)
+      boxes.push_back({{{ends_[e].first[0], ends_[e].first[1]}, {ends_[e].second[0], ends_[e].second[1]}}, e});
+    near_ = decltype(near_)(boxes);
   }
 
-  /// False where the coarse loops cross each other: the boundary needs more nodes.
+  /// False where the loops cross each other: the boundary needs more nodes.
   bool run() {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto a = vertex(edges_[e].a), b = vertex(edges_[e].b);
@@ -70,6 +85,16 @@ class Coarse_triangulation {
     return !triangles.empty();
   }
 
+  /// Puts a point inside each of some triangles, and triangulates anew.
+  void split(const std::vector<std::size_t>& which) {
+    for (std::size_t t : which) {
+      const auto& [a, b, c] = triangles[t];
+      insert({(points[a][0] + points[b][0] + points[c][0]) / 3, (points[a][1] + points[b][1] + points[c][1]) / 3});
+    }
+    mark_inside();
+    collect();
+  }
+
   /// In which direction the side from a to b sets out: on the boundary to the node between.
   const Point2& towards(std::uint32_t a, std::uint32_t b) const {
     for (const auto& edge : {std::pair(a, b), std::pair(b, a)})
@@ -81,6 +106,7 @@ class Coarse_triangulation {
   const std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>& middles() const { return middle_; }
 
   std::vector<Point2> points;        ///< the region's nodes, then the points inside
+  std::size_t number_on_loops;       ///< how many of them are the region's nodes
   std::vector<Triangle> triangles;   ///< counter-clockwise
 
  private:
@@ -92,6 +118,8 @@ class Coarse_triangulation {
           CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>,
       CGAL::No_constraint_intersection_tag>;
   using Handle = Cdt::Vertex_handle;
+  using Plane_point = boost::geometry::model::d2::point_xy<double>;
+  using Segment = boost::geometry::model::segment<Plane_point>;
 
   static Kernel::Point_2 point(const Point2& p) { return {p[0], p[1]}; }
 
@@ -126,15 +154,19 @@ class Coarse_triangulation {
     }
   }
 
-  // The distance from the loops, and the size wanted there: it grows from the boundary's inwards.
+  // The distance from the loops, and the size wanted there: it grows from the boundary's inwards. A few of the nearest
+  // edges tell it.
   std::pair<double, double> distance_and_size(const Point2& p) const {
+    constexpr unsigned few = 12;
     double nearest = 1e300, wanted = size_;
-    for (const auto& [a, b] : ends_) {
+    for (auto at = near_.qbegin(boost::geometry::index::nearest(Plane_point(p[0], p[1]), few)); at != near_.qend();
+         ++at) {
+      const auto& [a, b] = ends_[at->second];
       const double wx = b[0] - a[0], wy = b[1] - a[1], l2 = wx * wx + wy * wy;
       const double t = std::clamp(((p[0] - a[0]) * wx + (p[1] - a[1]) * wy) / l2, 0.0, 1.0);
       const double d = std::hypot(p[0] - a[0] - t * wx, p[1] - a[1] - t * wy);
       nearest = std::min(nearest, d);
-      wanted = std::min(wanted, std::sqrt(l2) + 0.4 * d);
+      wanted = std::min(wanted, length_[at->second] + 0.4 * d);
     }
     return {nearest, wanted};
   }
@@ -142,8 +174,8 @@ class Coarse_triangulation {
   bool is_inside(const Point2& p) const {
     Cdt::Locate_type type;
     int i;
-    const auto f = mesh_.locate(point(p), type, i);
-    return type == Cdt::FACE && f->info();
+    hint_ = mesh_.locate(point(p), type, i, hint_);
+    return type == Cdt::FACE && hint_->info();
   }
 
   // A square lattice in the direction of most of the boundary: triangles on it pair to squares.
@@ -176,8 +208,9 @@ class Coarse_triangulation {
 
   void insert(const Point2& p) {
     const std::size_t before = mesh_.number_of_vertices();
-    const Handle v = mesh_.insert(point(p));
+    const Handle v = mesh_.insert(point(p), hint_);
     if (mesh_.number_of_vertices() == before) return;
+    hint_ = v->face();
     v->info() = static_cast<std::uint32_t>(points.size());
     points.push_back(p);
   }
@@ -192,8 +225,9 @@ class Coarse_triangulation {
         if (!f->info()) continue;
         const auto c = mesh_.circumcenter(f);
         const Point2 p{c.x(), c.y()};
-        if (!is_inside(p)) continue;
         const double radius = std::sqrt(CGAL::squared_distance(c, f->vertex(0)->point()));
+        hint_ = f;
+        if (!is_inside(p)) continue;
         const auto [d, wanted] = distance_and_size(p);
         if (d > 0.6 * wanted && radius > 0.85 * wanted) centres.push_back({radius / wanted, p});
       }
@@ -216,7 +250,7 @@ class Coarse_triangulation {
 
   // To those of the triangle around p and of its neighbours.
   double squared_distance_to_vertices(const Point2& p) const {
-    const auto f = mesh_.locate(point(p));
+    const auto f = hint_ = mesh_.locate(point(p), hint_);
     double least = 1e300;
     for (int i = 0; i < 3; ++i)
       for (const auto& v : {f->vertex(i), f->neighbor(i)->vertex(f->neighbor(i)->index(f))})
@@ -246,6 +280,7 @@ class Coarse_triangulation {
   }
 
   void collect() {
+    triangles.clear();
     for (auto f : mesh_.finite_face_handles())
       if (f->info()) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
@@ -253,9 +288,12 @@ class Coarse_triangulation {
   double size_;
   std::vector<Edge> edges_;
   std::vector<std::pair<Point2, Point2>> ends_;
+  std::vector<double> length_;  // by edge: of it and its neighbours the greatest
+  boost::geometry::index::rtree<std::pair<Segment, std::size_t>, boost::geometry::index::quadratic<8>> near_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;  // node between the ends of an edge
   std::vector<Handle> handles_;
   Cdt mesh_;
+  mutable Cdt::Face_handle hint_;  // where the last point was found; the next one is near
 };
 
 }  // namespace CCSweep::internal

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The CCSweep authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CCSWEEP_HEX_OUTLINE_FAULTS_H
+#define CCSWEEP_HEX_OUTLINE_FAULTS_H
+
+#include <CCSweep/hex/quad_quality.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace CCSweep::internal {
+
+/// An edge of an outline that is drawn anew, coarser than it was, and the arc it belongs to.
+struct Outline_edge {
+  Point2 a, b;
+  std::size_t arc;
+};
+
+/// The arcs that were drawn so coarsely that the outline crosses itself, or folds back where two of its edges meet: of
+/// each two edges concerned the arc of the longer one. Complexity: O(n^2), for outlines that are known to be bad.
+inline std::set<std::size_t> arcs_too_coarse(const std::vector<Outline_edge>& edges) {
+  constexpr double flat = 0.02;  // sine of the angle at which edges count as folded
+  std::set<std::size_t> arcs;
+  const auto meet = [](const Outline_edge& e, const Outline_edge& f) {
+    if (e.a == f.b || e.b == f.a) {
+      const Point2 &here = e.a == f.b ? e.a : e.b, &there = e.a == f.b ? e.b : e.a, &other = e.a == f.b ? f.a : f.b;
+      const double x = there[0] - here[0], y = there[1] - here[1], u = other[0] - here[0], v = other[1] - here[1];
+      return x * u + y * v > 0 && std::abs(x * v - y * u) < flat * std::hypot(x, y) * std::hypot(u, v);
+    }
+    if (e.a == f.a || e.b == f.b) return false;
+    return (turn(e.a, e.b, f.a) > 0) != (turn(e.a, e.b, f.b) > 0) &&
+           (turn(f.a, f.b, e.a) > 0) != (turn(f.a, f.b, e.b) > 0);
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (edges[i].arc != edges[j].arc && meet(edges[i], edges[j])) {
+        const bool first = length_between(edges[i].a, edges[i].b) > length_between(edges[j].a, edges[j].b);
+        arcs.insert(edges[first ? i : j].arc);
+      }
+  return arcs;
+}
+
+}  // namespace CCSweep::internal
+
+#endif
