@@ -168,6 +168,31 @@ std::vector<Rising_curve> rising_paths(const Part<Traits>& part, const Roles& ro
   return paths;
 }
 
+// The least squares fit of the distances along the curves, each with a weight by its distance, held weakly at the means.
+template <class Weight>
+Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::vector<Rising_curve>& curves,
+                               const Weight& weight_of) {
+  const auto n = static_cast<Eigen::Index>(groups.size());
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  for (const auto& [low, high, distance] : curves) {
+    const double weight = weight_of(distance);
+    m(low, low) += weight;
+    m(high, high) += weight;
+    m(low, high) -= weight;
+    m(high, low) -= weight;
+    right(low) -= weight * distance;
+    right(high) += weight * distance;
+  }
+  for (Eigen::Index g = 0; g < n; ++g) {
+    const Cap_group& group = groups[static_cast<std::size_t>(g)];
+    const double weight = group.flat ? 1e-3 : 1e-6;
+    m(g, g) += weight;
+    right(g) += weight * group.height;
+  }
+  return m.ldlt().solve(right);
+}
+
 // Bent groups have no one height. The curves that run up the linking faces from one group to another tell how far
 // apart they are: the heights become the least squares fit of these distances, held weakly at the means, which also
 // places the groups that no curve ties.
@@ -177,29 +202,19 @@ void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_g
   std::vector<int> group_of_patch(part.number_of_patches(), -1);
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (Patch_index p : groups[g].caps) group_of_patch[p.value()] = static_cast<int>(g);
-  const auto n = static_cast<Eigen::Index>(groups.size());
-  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  auto add = [&](int g, int h, double distance, double weight) {
-    m(g, g) += weight;
-    right(g) -= weight * distance;
-    if (h < 0) return;
-    m(h, h) += weight;
-    m(g, h) -= weight;
-    m(h, g) -= weight;
-    right(h) += weight * distance;
-  };
   const auto curves = roles.is_straight() ? rising_curves(part, roles, group_of_patch)
                                           : rising_paths(part, roles, group_of_patch);
-  for (const Rising_curve& c : curves) {
-    const double relative = part.diagonal / c.distance;  // long curves differ by more, and must not reverse a short one
-    add(c.low, c.high, c.distance, relative * relative);
+  for (const Rising_curve& c : curves)
     for (Cap_group* group : {&groups[c.low], &groups[c.high]})
       group->least_rise = group->least_rise == 0 ? c.distance : std::min(group->least_rise, c.distance);
-  }
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    add(static_cast<int>(g), -1, -groups[g].height, groups[g].flat ? 1e-3 : 1e-6);
-  const Eigen::VectorXd heights = m.ldlt().solve(right);
+  Eigen::VectorXd heights = fitted_heights(groups, curves, [](double) { return 1.0; });
+  // Long curves differ by more, and must not all but take away or reverse the rise of a short one.
+  if (std::any_of(curves.begin(), curves.end(), [&](const Rising_curve& c) {
+        return heights(c.high) - heights(c.low) < c.distance / 2;
+      }))
+    heights = fitted_heights(groups, curves, [&](double distance) {
+      return part.diagonal / distance * (part.diagonal / distance);
+    });
   for (std::size_t g = 0; g < groups.size(); ++g) groups[g].height = heights(static_cast<Eigen::Index>(g));
 }
 
