@@ -43,7 +43,8 @@ class Arc_intervals {
         const auto& arc = arcs.arcs[k][a];
         const std::size_t c = class_of_[first_[k] + a];
         const auto [length, turning] = measure(arc);
-        wanted_[c] = std::max({wanted_[c], length / size_of(k, arc), turning / (std::numbers::pi / 6)});
+        // A half, which rounding may have lifted or lowered, counts as lowered.
+        wanted_[c] = std::max({wanted_[c], length / size_of(k, arc) - 1e-6, turning / (std::numbers::pi / 6)});
         // No two edges may join the same two nodes, and a closed curve needs the corners of a quad.
         const std::size_t apart = arc.from == arc.to ? 4 : between[std::minmax(arc.from, arc.to)] > 1 ? 2 : 1;
         const auto by_turning = static_cast<std::size_t>(std::ceil(turning / (std::numbers::pi / 3) - 1e-6));

@@ -395,8 +395,9 @@ void insert_rows(const Part<Traits>& part, const Roles& roles, const Layering_op
     const double turning = turning_between(part, roles, layering, levels[i], levels[i + 1]);
     const double spanning = options.spanning_angle * 3.14159265358979323846 / 180;
     std::size_t slabs = 1 + static_cast<std::size_t>(turning / spanning);
+    // A half, which rounding may have lifted or lowered, counts as lowered.
     slabs = std::max({slabs, static_cast<std::size_t>(options.slabs),
-                      static_cast<std::size_t>(std::lround(gap / options.spacing))});
+                      static_cast<std::size_t>(std::lround(gap / options.spacing - 1e-6))});
     for (std::size_t k = 1; k < slabs; ++k) {
       layering.layers.push_back(levels[i] + gap * double(k) / double(slabs));
       layering.level_of_layer.push_back(Level_index());
