@@ -25,6 +25,8 @@ struct Cut_triangles {
   std::vector<Patch_index> left, right;
   std::vector<std::size_t> set;      ///< numbered from 0
   std::size_t number_of_sets = 0;
+  std::vector<std::pair<std::size_t, Patch_index>> on_surface;  ///< surface triangles that cuts fell on, and to whom
+                                                                ///< these leave them
 };
 
 /// Triangulates the rows of the cuts, two triangles between four nodes, and gathers them into decomposition sets: one
@@ -44,6 +46,8 @@ class Cut_triangulator {
     join_cells_along();
     number_sets();
     cancel_folds();
+    leave_surface();
+    number_sets_without_gaps();
     return std::move(result_);
   }
 
@@ -204,10 +208,37 @@ class Cut_triangulator {
         seen.erase(other);
       }
     }
-    keep(stays, result_.triangles);
-    keep(stays, result_.left);
-    keep(stays, result_.right);
-    keep(stays, result_.set);
+    keep(stays);
+  }
+
+  // Where a cut runs on the part's surface, the target outside it has nothing there: the surface bounds the one inside.
+  void leave_surface() {
+    std::vector<bool> is_cut(surface_.points.size(), false);
+    std::map<Triangle, std::pair<std::size_t, Patch_index>> faces;  // both of each triangle, by the target behind
+    for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+      const Triangle& v = result_.triangles[t];
+      faces.emplace(turned_to(v, true), std::pair(t, result_.left[t]));
+      faces.emplace(turned_to(v, false), std::pair(t, result_.right[t]));
+      for (std::uint32_t corner : v) is_cut[corner] = true;
+    }
+    std::vector<bool> stays(result_.triangles.size(), true);
+    for (std::size_t s = 0; s < surface_.triangles.size(); ++s) {
+      const Triangle& v = surface_.triangles[s];
+      if (!is_cut[v[0]] || !is_cut[v[1]] || !is_cut[v[2]]) continue;
+      const auto found = faces.find(turned_to(v, true));
+      if (found == faces.end()) continue;
+      stays[found->second.first] = false;
+      result_.on_surface.emplace_back(s, found->second.second);
+    }
+    keep(stays);
+  }
+
+  void number_sets_without_gaps() {
+    std::map<std::size_t, std::size_t> number;
+    for (std::size_t set : result_.set) number.emplace(set, 0);
+    result_.number_of_sets = 0;
+    for (auto& [set, n] : number) n = result_.number_of_sets++;
+    for (std::size_t& set : result_.set) set = number.at(set);
   }
 
   // From the lowest vertex on, as it is or the other way round.
@@ -215,6 +246,13 @@ class Cut_triangulator {
     if (!as_it_is) std::swap(v[1], v[2]);
     std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
     return v;
+  }
+
+  void keep(const std::vector<bool>& stays) {
+    keep(stays, result_.triangles);
+    keep(stays, result_.left);
+    keep(stays, result_.right);
+    keep(stays, result_.set);
   }
 
   template <class T>

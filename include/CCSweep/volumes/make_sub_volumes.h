@@ -38,14 +38,10 @@ class Surface_labels {
  public:
   Surface_labels(const Part<Traits>& part, const Roles& roles, const Layered_loops<Traits>& loops,
                  const Cut_surface<Traits>& surface, const Cut_triangles& cuts)
-      : part_(part), roles_(roles), loops_(loops), surface_(surface), label_(surface.triangles.size()),
+      : part_(part), roles_(roles), loops_(loops), surface_(surface), cuts_(cuts), label_(surface.triangles.size()),
         sides_(surface.triangles, surface.points.size()), is_barrier_(3 * surface.triangles.size()) {
-    const auto close = [this](std::uint32_t side) { is_barrier_[side] = true; };
-    for (const Triangle& t : cuts.triangles)
-      for (int k = 0; k < 3; ++k) {
-        sides_.for_each(t[k], t[(k + 1) % 3], close);
-        sides_.for_each(t[(k + 1) % 3], t[k], close);
-      }
+    for (const Triangle& t : cuts.triangles) add_barriers(t);
+    for (const auto& [t, target] : cuts.on_surface) add_barriers(surface.triangles[t]);
   }
 
   std::vector<Patch_index> run() {
@@ -53,10 +49,20 @@ class Surface_labels {
     label_sources();
     label_walls();
     flood();
+    for (const auto& [t, target] : cuts_.on_surface) label_[t] = target;
+    check_all_labelled();
     return std::move(label_);
   }
 
  private:
+  void add_barriers(const Triangle& t) {
+    const auto close = [this](std::uint32_t side) { is_barrier_[side] = true; };
+    for (int k = 0; k < 3; ++k) {
+      sides_.for_each(t[k], t[(k + 1) % 3], close);
+      sides_.for_each(t[(k + 1) % 3], t[k], close);
+    }
+  }
+
   void set_label(std::size_t t, Patch_index target) {
     if (label_[t] == target) return;
     if (label_[t].is_valid()) {
@@ -109,6 +115,9 @@ class Surface_labels {
                         [&](std::uint32_t opposite) { set_label(opposite / 3, label_[t]); });
       }
     }
+  }
+
+  void check_all_labelled() const {
     for (std::size_t t = 0; t < label_.size(); ++t)
       if (!label_[t].is_valid()) {
         const int id = part_.id(surface_.patch[t]);
@@ -122,6 +131,7 @@ class Surface_labels {
   const Roles& roles_;
   const Layered_loops<Traits>& loops_;
   const Cut_surface<Traits>& surface_;
+  const Cut_triangles& cuts_;
   std::vector<Patch_index> label_;
   Triangle_sides sides_;
   std::vector<bool> is_barrier_;  // by side: whether a cut meets the surface there
