@@ -82,7 +82,7 @@ class Doublet_remover {
 /// good ones as there can be (Remacle et al., Blossom-Quad, 2012).
 /// Triangles left over are split, and all are matched anew, a few times.
 /// \return nothing where a triangle is left over then, or the loops cross each other.
-/// Complexity: O(n^3) for few triangles; O(n log n) for more, and O(n) for each pair that the best ones leave out.
+/// Complexity: O(n log n), and O(n) for each pair that the best ones leave out.
 inline std::optional<Quad_mesh> match_quads(const Quad_region& region, double size) {
   constexpr int tries = 4;
   internal::Cap_triangulation mesh(region, size, 1);

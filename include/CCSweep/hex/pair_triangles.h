@@ -8,7 +8,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/max_cardinality_matching.hpp>
-#include <boost/graph/maximum_weighted_matching.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
@@ -85,8 +85,7 @@ inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& me
   return pairs;
 }
 
-using Pair_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                         boost::property<boost::edge_weight_t, long>>;
+using Pair_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 using Mates = std::vector<boost::graph_traits<Pair_graph>::vertex_descriptor>;
 
 /// The matching that takes the best pair first, and so on. The graph's edges come in that order.
@@ -104,29 +103,22 @@ struct Best_first_matching {
   }
 };
 
-/// Chooses pairs so that no triangle is in two of them: as many as there can be, if so wanted, else those of the
-/// greatest sum of qualities. That is exact for few triangles, as Boost's weighted matching takes O(n^3); for more it
-/// starts with the best pairs, and Edmonds' algorithm makes them as many as there can be.
+/// Chooses pairs so that no triangle is in two of them: the best first, and if so wanted, Edmonds' algorithm makes
+/// them as many as there can be. (The weighted matching of Boost 1.74 does not come to an end on some graphs.)
 /// \return the pairs chosen, by their place in `pairs`
 inline std::vector<std::size_t> choose_pairs(const std::vector<Triangle_pair>& pairs, std::size_t triangles,
                                              bool as_many_as_can_be) {
-  constexpr std::size_t few = 150;
-  constexpr long unit = 1000;
-  // More than all qualities together, so that a pair more is worth any of them.
-  const long bonus = as_many_as_can_be ? unit * static_cast<long>(triangles) : 0;
   Pair_graph graph(triangles);
-  for (const Triangle_pair& pair : pairs)
-    add_edge(pair.first, pair.second, bonus + 1 + static_cast<long>(unit * std::max(pair.quality, 0.0)), graph);
+  for (const Triangle_pair& pair : pairs) add_edge(pair.first, pair.second, graph);
   Mates mates(triangles);
   const auto mate = mates.data();
-  const auto index = get(boost::vertex_index, graph);
-  if (triangles <= few)
-    boost::maximum_weighted_matching(graph, mate, index);
-  else if (as_many_as_can_be)
+  if (as_many_as_can_be) {
+    const auto index = get(boost::vertex_index, graph);
     boost::matching<Pair_graph, decltype(mate), decltype(index), boost::edmonds_augmenting_path_finder,
                     Best_first_matching, boost::no_matching_verifier>(graph, mate, index);
-  else
+  } else {
     Best_first_matching<Pair_graph, decltype(mate)>::find_matching(graph, mate);
+  }
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (mates[pairs[i].first] == pairs[i].second && mates[pairs[i].second] == pairs[i].first) chosen.push_back(i);
