@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(every_model_at_three_sizes) {
     for (int parts : {10, 20, 40})
       BOOST_TEST_CONTEXT(name << " at extent/" << parts) {
         const Model model = load(name);
-        for (const auto& direction : {model.direction, {0, 0, 0}})  // as it is known, and as it is chosen
+        for (const auto& direction : {model.direction, Direction{}})  // as it is known, and as it is chosen
           expect_sound(mesh(model.part.mesh, direction, model.extent / parts), model.volume, parts == 40 ? 0.01 : 0.03);
       }
 }
