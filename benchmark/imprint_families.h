@@ -3,7 +3,7 @@
 #ifndef CCSWEEP_BENCHMARK_IMPRINT_FAMILIES_H
 #define CCSWEEP_BENCHMARK_IMPRINT_FAMILIES_H
 
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include <CCSweep/IO/internal/vtp_array.h>
 #include <CCSweep/Status.h>
 #include <CCSweep/internal/guarded.h>
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

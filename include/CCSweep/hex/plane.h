@@ -6,7 +6,6 @@
 #include <CCSweep/part/Part.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -17,26 +16,18 @@ using Point2 = std::array<double, 2>;
 /// The plane across a layer, seen against the sweep.
 class Plane_chart {
  public:
-  explicit Plane_chart(const Vec3& up) {
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
-      if (std::abs(up[i]) < std::abs(up[least])) least = i;
-    Vec3 axis{};
-    axis[least] = 1;
-    x_ = unit(axis - dot(axis, up) * up);
-    y_ = cross(up, x_);
-  }
-  Point2 operator()(const Vec3& p) const { return {dot(x_, p), dot(y_, p)}; }
+  explicit Plane_chart(const Vec3& up) : axes_(axes_across(up)) {}
+  Point2 operator()(const Vec3& p) const { return {dot(axes_[0], p), dot(axes_[1], p)}; }
   std::vector<Point2> operator()(const std::vector<Vec3>& points) const {
     std::vector<Point2> result;
     for (const Vec3& p : points) result.push_back((*this)(p));
     return result;
   }
   /// A vector of space from its components in the plane.
-  Vec3 lifted(double x, double y) const { return x * x_ + y * y_; }
+  Vec3 lifted(double x, double y) const { return x * axes_[0] + y * axes_[1]; }
 
  private:
-  Vec3 x_, y_;
+  std::array<Vec3, 2> axes_;
 };
 
 inline double signed_area(const std::vector<Point2>& loop) {

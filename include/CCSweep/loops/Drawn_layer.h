@@ -5,7 +5,7 @@
 
 #include <CCSweep/linking/Wall_sections.h>
 #include <CCSweep/loops/Layer_chart.h>
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 #include <CCSweep/loops/Layered_loops.h>
 #include <CCSweep/part/Part.h>
 

@@ -6,7 +6,6 @@
 #include <CCSweep/part/Part.h>
 
 #include <array>
-#include <cmath>
 
 namespace CCSweep {
 
@@ -20,28 +19,19 @@ class Layer_chart {
   using Point_3 = typename Traits::Point_3;
   using Direction = std::array<double, 3>;
 
-  explicit Layer_chart(const Direction& up) : up_(up) {
-    using namespace internal;
-    // The coordinate axis that is most across the sweep spans the chart with its cross product.
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
-      if (std::abs(up[i]) < std::abs(up[least])) least = i;
-    Direction axis{};
-    axis[least] = 1;
-    x_ = unit(axis - dot(axis, up) * up);
-    y_ = cross(up, x_);
-  }
+  explicit Layer_chart(const Direction& up) : up_(up), axes_(internal::axes_across(up)) {}
 
   const Direction& up() const { return up_; }
 
-  Point_2 operator()(const Point_3& p) const { return Point_2(coordinate(x_, p), coordinate(y_, p)); }
+  Point_2 operator()(const Point_3& p) const { return Point_2(coordinate(axes_[0], p), coordinate(axes_[1], p)); }
 
  private:
   static FT coordinate(const Direction& axis, const Point_3& p) {
     return FT(axis[0]) * p.x() + FT(axis[1]) * p.y() + FT(axis[2]) * p.z();
   }
 
-  Direction up_, x_, y_;
+  Direction up_;
+  std::array<Direction, 2> axes_;
 };
 
 }  // namespace CCSweep

@@ -4,7 +4,7 @@
 #define CCSWEEP_LOOPS_LOOP_FACE_GRAPH_H
 
 #include <CCSweep/indices.h>
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 
 #include <algorithm>
 #include <compare>

@@ -6,7 +6,7 @@
 #include <CCSweep/Status.h>
 #include <CCSweep/concepts.h>
 #include <CCSweep/internal/guarded.h>
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 #include <CCSweep/loops/Loop_face_graph.h>
 #include <CCSweep/loops/overlay_build.h>
 #include <CCSweep/loops/overlay_chains.h>

@@ -3,7 +3,7 @@
 #ifndef CCSWEEP_LOOPS_OVERLAY_LABELS_H
 #define CCSWEEP_LOOPS_OVERLAY_LABELS_H
 
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 
 #include <algorithm>
 #include <compare>

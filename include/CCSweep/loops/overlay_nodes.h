@@ -5,7 +5,7 @@
 
 #include <CCSweep/indices.h>
 #include <CCSweep/internal/guarded.h>
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>
 

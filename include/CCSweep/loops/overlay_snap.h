@@ -3,7 +3,7 @@
 #ifndef CCSWEEP_LOOPS_OVERLAY_SNAP_H
 #define CCSWEEP_LOOPS_OVERLAY_SNAP_H
 
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 #include <CCSweep/loops/overlay_chains.h>
 #include <CCSweep/loops/overlay_crossing.h>
 #include <CCSweep/loops/overlay_near.h>

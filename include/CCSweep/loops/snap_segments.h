@@ -3,7 +3,7 @@
 #ifndef CCSWEEP_LOOPS_SNAP_SEGMENTS_H
 #define CCSWEEP_LOOPS_SNAP_SEGMENTS_H
 
-#include <CCSweep/loops/Layer_drawing.h>
+#include <CCSweep/Layer_drawing.h>
 #include <CCSweep/loops/overlay_nodes.h>
 #include <CCSweep/loops/snap_clearance.h>
 #include <CCSweep/loops/snap_merge.h>

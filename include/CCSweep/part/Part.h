@@ -81,6 +81,17 @@ inline Vec3 unit(const Vec3& a) {
   const double n = norm(a);
   return n > 0 ? (1 / n) * a : a;
 }
+/// Two unit vectors that span the plane across `up` and turn counter-clockwise about it: the coordinate axis that is
+/// most across, brought into the plane, and its cross product.
+inline std::array<Vec3, 2> axes_across(const Vec3& up) {
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(up[i]) < std::abs(up[least])) least = i;
+  Vec3 axis{};
+  axis[least] = 1;
+  const Vec3 x = unit(axis - dot(axis, up) * up);
+  return {x, cross(up, x)};
+}
 /// The angle between two vectors in radians, also where it is tiny.
 inline double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 

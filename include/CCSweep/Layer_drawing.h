@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CCSWEEP_LOOPS_LAYER_DRAWING_H
-#define CCSWEEP_LOOPS_LAYER_DRAWING_H
+#ifndef CCSWEEP_LAYER_DRAWING_H
+#define CCSWEEP_LAYER_DRAWING_H
 
 #include <CCSweep/indices.h>
 
