@@ -72,7 +72,7 @@ struct Ccsweep {
   void clear() { result = {}; }
   Areas areas() const {
     Areas sum{};
-    for (const auto& segment : result.segments) {
+    for (const auto& segment : result.segments()) {
       const auto &p = result.points[segment.source.value()], &q = result.points[segment.target.value()];
       const double twice = p.x() * q.y() - q.x() * p.y();
       add(segment.left, twice / 2, sum);

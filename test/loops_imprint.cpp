@@ -42,7 +42,7 @@ Imprint<K> done(const Layer_drawing<K>& drawing, double tolerance) {
   for (std::size_t n = 0; n < drawing.nodes.size(); ++n) {
     if (drawing.nodes[n].fixed) BOOST_TEST((imprint.points[n] == drawing.nodes[n].point));
   }
-  for (const auto& segment : imprint.segments) {
+  for (const auto& segment : imprint.segments()) {
     BOOST_TEST((imprint.graph.loop_face(segment.coedge) == segment.left_face));
     BOOST_TEST((segment.left != segment.right));
   }
@@ -51,7 +51,7 @@ Imprint<K> done(const Layer_drawing<K>& drawing, double tolerance) {
 
 std::size_t nodes_in_use(const Imprint<Kernel>& imprint) {
   std::set<Node_index> used;
-  for (const auto& segment : imprint.segments) used.insert({segment.source, segment.target});
+  for (const auto& segment : imprint.segments()) used.insert({segment.source, segment.target});
   return used.size();
 }
 
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(edges_end_at_corners_and_junctions_only) {
   const auto imprint = done(drawing, 0);
   BOOST_TEST(num_vertices(imprint.graph) == 2u);
   BOOST_TEST(num_edges(imprint.graph) == 4u);
-  BOOST_TEST(imprint.segments.size() == 12u);
+  BOOST_TEST(imprint.segments().size() == 12u);
 
   Layer_drawing<Kernel> alone;
   draw(alone, regular(7, 1), target_2);
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(identical_faces_become_one) {
   const auto imprint = done(drawing, 0);
   BOOST_TEST(imprint.graph.number_of_loop_faces() == 1u);
   BOOST_TEST(imprint.overlaps().size() == 1u);
-  BOOST_TEST(imprint.segments.size() == 9u);
+  BOOST_TEST(imprint.segments().size() == 9u);
   for (std::size_t i = 9; i < 18; ++i) BOOST_TEST((imprint.representative[i] == Node_index(i - 9)));
 }
 
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(matching_squares_with_different_nodes) {
   draw(drawing, projected, target_2);
   const auto imprint = done(drawing, 1e-6);
   BOOST_TEST(imprint.graph.number_of_loop_faces() == 1u);
-  BOOST_TEST(imprint.segments.size() == 8u);
+  BOOST_TEST(imprint.segments().size() == 8u);
   for (std::size_t s = 0; s < 4; ++s) BOOST_TEST(imprint.chains[s].size() == 3u);
 }
 
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(empty_zero_length_and_repeated_segments) {
   drawing.segments.push_back({Node_index(0), Node_index(2), {}, {}});  // says nothing
   const auto imprint = done(drawing, 1e-6);
   BOOST_TEST(imprint.graph.number_of_loop_faces() == 1u);
-  BOOST_TEST(imprint.segments.size() == 4u);
+  BOOST_TEST(imprint.segments().size() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(pinched_and_nested_loops) {

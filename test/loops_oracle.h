@@ -155,11 +155,12 @@ bool meet_in_nodes_only(const CCSweep::Imprint<K>& imprint) {
     using Segment = typename K::Segment_2;
     return CGAL::do_intersect(Segment(point(s.source), point(s.target)), Segment(point(t.source), point(t.target)));
   };
+  const auto segments = imprint.segments();
   std::vector<CGAL::Bbox_2> boxes;
-  for (const auto& s : imprint.segments) boxes.push_back(point(s.source).bbox() + point(s.target).bbox());
+  for (const auto& s : segments) boxes.push_back(point(s.source).bbox() + point(s.target).bbox());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      if (CGAL::do_overlap(boxes[i], boxes[j]) && meet(imprint.segments[i], imprint.segments[j])) return false;
+      if (CGAL::do_overlap(boxes[i], boxes[j]) && meet(segments[i], segments[j])) return false;
     }
   }
   return true;

@@ -43,7 +43,7 @@ class Imprinted_layer {
 
   Imprinted_layer(const Part<Traits>& part, const Layer_chart<Traits>& chart, const Drawn_layer<Traits>& drawn,
                   const Imprint<Traits>& imprint, Loops& loops)
-      : part_(part), chart_(chart), drawn_(drawn), imprint_(imprint), loops_(loops) {
+      : part_(part), chart_(chart), drawn_(drawn), imprint_(imprint), pieces_(imprint.segments()), loops_(loops) {
     place_nodes_on_carriers();
     make_segments();
     place_nodes_under_sources();
@@ -170,7 +170,7 @@ class Imprinted_layer {
 
   void make_segments() {
     std::vector<int> degree(node_of_.size(), 0);
-    for (const auto& piece : imprint_.segments) {
+    for (const auto& piece : pieces_) {
       const Node_index a = node_of_[piece.source.value()], b = node_of_[piece.target.value()];
       segment_between_[std::minmax(a, b)] = segments_.size();
       segments_.push_back({a, b, side(piece.left), side(piece.right)});
@@ -203,12 +203,12 @@ class Imprinted_layer {
   void find_barrels() {
     Union_find faces(imprint_.graph.number_of_loop_faces());
     for (std::size_t s = 0; s < segments_.size(); ++s) {
-      const auto& piece = imprint_.segments[s];
+      const auto& piece = pieces_[s];
       if (!segments_[s].left.material_above() || !segments_[s].right.material_above()) continue;
       faces.join(piece.left_face.value(), piece.right_face.value());
     }
     for (std::size_t s = 0; s < segments_.size(); ++s) {
-      const auto& piece = imprint_.segments[s];
+      const auto& piece = pieces_[s];
       barrel_.push_back(segments_[s].left.material_above()    ? faces.root(piece.left_face.value())
                         : segments_[s].right.material_above() ? faces.root(piece.right_face.value())
                                                               : std::size_t(-1));
@@ -269,6 +269,7 @@ class Imprinted_layer {
   const Layer_chart<Traits>& chart_;
   const Drawn_layer<Traits>& drawn_;
   const Imprint<Traits>& imprint_;
+  const std::vector<typename Imprint<Traits>::Segment> pieces_;
   Loops& loops_;
   std::vector<Node_index> node_of_;           // of the sweep, by node of the imprint
   std::map<Node_index, Node_index> final_;    // by node of the drawing

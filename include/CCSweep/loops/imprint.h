@@ -13,6 +13,7 @@
 #include <CCSweep/loops/overlay_edges.h>
 #include <CCSweep/loops/overlay_pieces.h>
 #include <CCSweep/loops/overlay_snap.h>
+#include <CCSweep/loops/overlay_sort.h>
 #include <CCSweep/loops/overlay_table.h>
 #include <CCSweep/loops/segment_index.h>
 
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,7 +48,6 @@ struct Imprint {
   std::vector<bool> corner;                ///< per node: is a LoopVertex whatever meets there
   std::vector<Node_index> representative;  ///< per node of the drawing: the node it was merged into, else itself
   Node_chains chains;                      ///< per segment of the drawing: the nodes from its source to its target
-  std::vector<Segment> segments;           ///< all that remains, ascending by end nodes; source < target
   std::vector<int> lost;                   ///< labels of the drawing that no LoopFace has any more
   std::vector<std::string> notes;          ///< what was merged away
 
@@ -57,7 +58,30 @@ struct Imprint {
   /// The LoopFaces in a target only: the paper's Theta(t).
   std::vector<Loop_face_index> target_only() const { return select(false, true); }
 
+  /// The straight pieces of all LoopEdges, ascending by end nodes, with `source` less than `target`. Linear, for a
+  /// bounded number of segments at a node.
+  std::vector<Segment> segments() const {
+    std::vector<Segment> result;
+    for (std::size_t e = 0; e < graph.number_of_edges(); ++e) add_segments(Loop_coedge_index(2 * e), result);
+    internal::bucket_sort(
+        result, points.size(), [](const Segment& s) { return s.source.value(); },
+        [](const Segment& s, const Segment& t) { return s.target < t.target; });
+    return result;
+  }
+
  private:
+  void add_segments(Loop_coedge_index coedge, std::vector<Segment>& result) const {
+    const Loop_coedge_index back = graph.opposite(coedge);
+    const Segment forward{{}, {}, graph.label(coedge), graph.label(back), graph.loop_face(coedge),
+                          graph.loop_face(back), coedge};
+    const Segment backward{{}, {}, forward.right, forward.left, forward.right_face, forward.left_face, back};
+    const std::span<const Node_index> nodes = graph.nodes(coedge);
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      Segment& segment = result.emplace_back(nodes[i - 1] < nodes[i] ? forward : backward);
+      std::tie(segment.source, segment.target) = std::minmax(nodes[i - 1], nodes[i]);
+    }
+  }
+
   std::vector<Loop_face_index> select(bool in_source, bool in_target) const {
     std::vector<Loop_face_index> result;
     for (std::size_t i = 0; i < graph.number_of_loop_faces(); ++i) {
@@ -71,40 +95,6 @@ struct Imprint {
 };
 
 namespace internal {
-
-// In linear time: each segment is put where those with its lower node belong.
-template <class Traits>
-std::vector<typename Imprint<Traits>::Segment> elementary_segments(const Overlay_edges& edges,
-                                                                   const Graph_builder<Traits>& builder,
-                                                                   const Loop_face_graph<Traits>& graph,
-                                                                   std::size_t number_of_nodes) {
-  using Segment = typename Imprint<Traits>::Segment;
-  std::vector<std::uint32_t> place(number_of_nodes + 1, 0);
-  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-    const std::span<const Node_index> path = edges.path(e);
-    for (std::size_t i = 1; i < path.size(); ++i) ++place[std::min(path[i - 1], path[i]).value() + 1];
-  }
-  for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
-  std::vector<Segment> result(place.back());
-  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-    const Loop_coedge_index up = builder.coedge(2 * e), down = graph.opposite(up);
-    const Loop_label left = graph.label(up), right = graph.label(down);
-    const Loop_face_index left_face = graph.loop_face(up), right_face = graph.loop_face(down);
-    const std::span<const Node_index> path = edges.path(e);
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      const Node_index n = path[i - 1], m = path[i];
-      result[place[std::min(n, m).value()]++] = n < m ? Segment{n, m, left, right, left_face, right_face, up}
-                                                      : Segment{m, n, right, left, right_face, left_face, down};
-    }
-  }
-  const auto before = [](const Segment& s, const Segment& t) { return s.target < t.target; };
-  std::uint32_t first = 0;
-  for (const std::uint32_t last : place) {  // where the segments of a node end now
-    if (last > first + 1) std::sort(result.begin() + first, result.begin() + last, before);
-    first = last;
-  }
-  return result;
-}
 
 template <class Traits>
 void draw_loops(Layer_drawing<Traits>& drawing, const std::vector<std::vector<typename Traits::Point_2>>& loops,
@@ -160,7 +150,6 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
   const Planar_map<Traits> map(nodes, edges);
   Graph_builder<Traits> builder(map, nodes, flooded_labels(map, nodes));
   result.graph = std::move(builder.graph());
-  result.segments = elementary_segments(edges, builder, result.graph, nodes.points.size());
 
   result.points = std::move(nodes.points);
   result.fixed = std::move(nodes.fixed);

@@ -20,9 +20,9 @@ template <class Traits>
 class Graph_builder {
  public:
   Graph_builder(const Planar_map<Traits>& map, const Layer_nodes<Traits>& nodes, const std::vector<Loop_label>& labels)
-      : map_(map), coedges_(map.number_of_halfedges()), vertices_(nodes.points.size()), is_end_(nodes.points.size()) {
-    for (std::size_t n = 0; n < nodes.points.size(); ++n) {
-      is_end_[n] = map.degree(Node_index(n)) > 0 && (map.degree(Node_index(n)) != 2 || nodes.corner[n]);
+      : map_(map), coedges_(map.number_of_halfedges()), vertices_(map.number_of_ends()), stops_(map.number_of_ends()) {
+    for (std::uint32_t n = 0; n < map.number_of_ends(); ++n) {
+      stops_[n] = map.degree(n) > 0 && (map.degree(n) != 2 || nodes.corner[map.node(n).value()]);
     }
     graph_.reserve(coedges_.size() / 2, map.number_of_path_nodes());
     add_edges();
@@ -31,37 +31,35 @@ class Graph_builder {
   }
 
   Loop_face_graph<Traits>& graph() { return graph_; }
-  // The coedge that a halfedge of the subdivision became a part of.
-  Loop_coedge_index coedge(std::size_t halfedge) const { return coedges_[halfedge]; }
 
  private:
   void add_edges() {
     for (std::uint32_t h = 0; h < coedges_.size(); ++h) {
-      if (!coedges_[h].is_valid() && is_end(map_.source(h))) add_edge(h);
+      if (!coedges_[h].is_valid() && stops(map_.source(h))) add_edge(h);
     }
     // What is left are closed curves without a vertex. They get one here, and the second by the rule below.
     for (std::uint32_t h = 0; h < coedges_.size(); ++h) {
       if (coedges_[h].is_valid()) continue;
-      is_end_[map_.source(h).value()] = true;
+      stops_[map_.source(h)] = true;
       add_edge(h);
     }
   }
 
   void add_edge(std::uint32_t start) {
     run_.assign(1, start);
-    while (!is_end(map_.target(run_.back()))) run_.push_back(map_.next(run_.back()));
+    while (!stops(map_.target(run_.back()))) run_.push_back(map_.next(run_.back()));
     const std::span<const std::uint32_t> run(run_);
     if (map_.target(run.back()) != map_.source(start)) return add_edge(run);
     // A curve that returns to its only vertex gets another one, for a self-loop is no edge of a halfedge graph.
     const std::size_t half = run.size() / 2;
-    is_end_[map_.source(run[half]).value()] = true;
+    stops_[map_.source(run[half])] = true;
     add_edge(run.first(half));
     add_edge(run.subspan(half));
   }
 
   void add_edge(std::span<const std::uint32_t> run) {
     collect_nodes(run);
-    const Loop_vertex_index source = vertex(chain_.front()), target = vertex(chain_.back());
+    const Loop_vertex_index source = vertex(map_.source(run.front())), target = vertex(map_.target(run.back()));
     const Loop_coedge_index coedge = graph_.add_edge(source, target, chain_);
     for (std::uint32_t h : run) {
       coedges_[h] = coedge;
@@ -70,7 +68,7 @@ class Graph_builder {
   }
 
   void collect_nodes(std::span<const std::uint32_t> run) {
-    chain_.assign(1, map_.source(run.front()));
+    chain_.assign(1, map_.node(map_.source(run.front())));
     for (std::uint32_t h : run) {
       const std::span<const Node_index> path = map_.path(h / 2);
       if (h % 2 == 0) {
@@ -83,7 +81,7 @@ class Graph_builder {
 
   void link() {
     for (std::uint32_t h = 0; h < coedges_.size(); ++h) {
-      if (is_end(map_.target(h))) graph_.set_next(coedges_[h], coedges_[map_.next(h)]);
+      if (stops(map_.target(h))) graph_.set_next(coedges_[h], coedges_[map_.next(h)]);
     }
   }
 
@@ -103,19 +101,20 @@ class Graph_builder {
     }
   }
 
-  bool is_end(Node_index n) const { return is_end_[n.value()]; }
+  // Whether LoopEdges end where edges do.
+  bool stops(std::uint32_t end) const { return stops_[end]; }
 
-  Loop_vertex_index vertex(Node_index n) {
-    Loop_vertex_index& v = vertices_[n.value()];
-    if (!v.is_valid()) v = graph_.add_vertex(n);
+  Loop_vertex_index vertex(std::uint32_t end) {
+    Loop_vertex_index& v = vertices_[end];
+    if (!v.is_valid()) v = graph_.add_vertex(map_.node(end));
     return v;
   }
 
   const Planar_map<Traits>& map_;
   Loop_face_graph<Traits> graph_;
   std::vector<Loop_coedge_index> coedges_;
-  std::vector<Loop_vertex_index> vertices_;
-  std::vector<bool> is_end_;
+  std::vector<Loop_vertex_index> vertices_;  // per end
+  std::vector<char> stops_;
   std::vector<std::uint32_t> run_;
   std::vector<Node_index> chain_;  // the nodes of the run
 };

@@ -25,7 +25,7 @@ namespace CCSweep::internal {
 // An edge of the overlay: a path of pieces that ascends by xy, between whose ends nothing else ends. It speaks for a
 // set if its sides differ there.
 struct Overlay_edge {
-  Node_index a, b;             // the ends of the path; a is less than b by xy
+  std::uint32_t a, b;          // the ends of the path, in the list of all ends; a is less than b by xy
   std::uint32_t first, size;   // its nodes, both ends included, in the list of all edges
   std::array<Sides, 2> sides;  // in the sources, in the targets
 
@@ -34,6 +34,7 @@ struct Overlay_edge {
 
 struct Overlay_edges {
   std::vector<Node_index> nodes;
+  std::vector<Node_index> ends;  // the nodes where paths end, ascending
   std::vector<Overlay_edge> edges;
 
   std::span<const Node_index> path(std::size_t edge) const {
@@ -55,6 +56,7 @@ class Edge_sum {
     Edge_sum sum(nodes);
     sum.count_ends(segments, chains);
     sum.make_paths(segments, chains);
+    sum.number_ends();
     sum.sort();
     sum.merge_coincident();
     return std::move(sum.result_);
@@ -80,23 +82,27 @@ class Edge_sum {
   void make_paths(const std::vector<Segment>& segments, const Node_chains& chains) {
     result_.nodes.reserve(2 * chains.size());
     const Segment* open = nullptr;
+    Node_index last;
     bool ascends = false;
     for (std::size_t s = 0; s < segments.size(); ++s) {
+      const Segment& segment = segments[s];
+      if (is_silent(segment)) continue;
       const std::span<const Node_index> chain = chains[s];
-      if (is_silent(segments[s])) continue;
+      bool is_alike = open != nullptr && open->left == segment.left && open->right == segment.right;
       for (std::size_t i = 1; i < chain.size(); ++i) {
         const Node_index n = chain[i - 1], m = chain[i];
         const bool up = is_less_xy<Traits>(nodes_.point(n), nodes_.point(m));
-        const bool goes_on = open != nullptr && result_.nodes.back() == n && degree_[n.value()] == 2 &&
-                             !nodes_.corner[n.value()] && up == ascends && open->left == segments[s].left &&
-                             open->right == segments[s].right;
+        const bool goes_on =
+            is_alike && last == n && up == ascends && degree_[n.value()] == 2 && !nodes_.corner[n.value()];
         if (!goes_on) {
           if (open != nullptr) close(*open, ascends);
           first_ = static_cast<std::uint32_t>(result_.nodes.size());
           result_.nodes.push_back(n);
         }
         result_.nodes.push_back(m);
-        open = &segments[s];
+        open = &segment;
+        is_alike = true;
+        last = m;
         ascends = up;
       }
     }
@@ -107,17 +113,33 @@ class Edge_sum {
     if (!ascends) std::reverse(result_.nodes.begin() + first_, result_.nodes.end());
     const Loop_label &l = ascends ? segment.left : segment.right, &r = ascends ? segment.right : segment.left;
     const std::uint32_t size = static_cast<std::uint32_t>(result_.nodes.size()) - first_;
-    result_.edges.push_back({result_.nodes[first_],
-                             result_.nodes.back(),
-                             first_,
-                             size,
-                             {Sides{l.source, r.source}, Sides{l.target, r.target}}});
+    result_.edges.push_back({0, 0, first_, size, {Sides{l.source, r.source}, Sides{l.target, r.target}}});
+  }
+
+  // Most nodes are inside paths. All that follows deals with the others.
+  void number_ends() {
+    std::vector<std::uint32_t>& number = degree_;  // no longer needed
+    std::fill(number.begin(), number.end(), 0);
+    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
+      const std::span<const Node_index> path = result_.path(e);
+      number[path.front().value()] = number[path.back().value()] = 1;
+    }
+    for (std::size_t n = 0; n < number.size(); ++n) {
+      if (number[n] == 0) continue;
+      number[n] = static_cast<std::uint32_t>(result_.ends.size());
+      result_.ends.emplace_back(n);
+    }
+    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
+      const std::span<const Node_index> path = result_.path(e);
+      result_.edges[e].a = number[path.front().value()];
+      result_.edges[e].b = number[path.back().value()];
+    }
   }
 
   // By the node they begin at, in linear time, then by the rest.
   void sort() {
     bucket_sort(
-        result_.edges, nodes_.points.size(), [](const Overlay_edge& e) { return e.a.value(); },
+        result_.edges, result_.ends.size(), [](const Overlay_edge& e) { return e.a; },
         [](const Overlay_edge& e, const Overlay_edge& f) {
           return std::tie(e.b, e.size, e.sides, e.first) < std::tie(f.b, f.size, f.sides, f.first);
         });
@@ -152,7 +174,7 @@ class Edge_sum {
     std::vector<Sides> said;
     for (std::size_t i = first; i < last; ++i) said.push_back(edges[i].sides[set]);
     if (const std::optional<Sides> result = sum(said)) return *result;
-    fail_imprint(nodes_, edges[first].a,
+    fail_imprint(nodes_, result_.ends[edges[first].a],
                  set == 0 ? "sources that overlap along an edge" : "targets that overlap along an edge", patches(said));
   }
 

@@ -108,7 +108,7 @@ class Piece_forest {
 
   Step ends(std::uint32_t i) const { return {pieces_[i].a, pieces_[i].b}; }
   Flat_box box(std::uint32_t i, double inflated_by) const {
-    return flat_box(nodes_.box(pieces_[i].a, pieces_[i].b), inflated_by);
+    return flat_box(nodes_.box(pieces_[i].a, pieces_[i].b)).inflated(inflated_by);
   }
 
   // The parts of a piece that may be near a box: they follow one another along the axis that the piece is longer in.

@@ -37,12 +37,11 @@ struct Flat_box {
     xmax = std::max(xmax, b.xmax);
     ymax = std::max(ymax, b.ymax);
   }
+  Flat_box inflated(double by) const { return {xmin - by, ymin - by, xmax + by, ymax + by}; }
   CGAL::Bbox_2 bbox() const { return {xmin, ymin, xmax, ymax}; }
 };
 
-inline Flat_box flat_box(const CGAL::Bbox_2& b, double inflated_by = 0) {
-  return {b.xmin() - inflated_by, b.ymin() - inflated_by, b.xmax() + inflated_by, b.ymax() + inflated_by};
-}
+inline Flat_box flat_box(const CGAL::Bbox_2& b) { return {b.xmin(), b.ymin(), b.xmax(), b.ymax()}; }
 
 // Whether all of a segment cd is on one side of the line ab, and farther from it than `reach`.
 inline bool is_beside(Place_2 a, Place_2 b, Place_2 c, Place_2 d, double reach) {
@@ -86,11 +85,12 @@ class Course_counter {
   explicit Course_counter(double reach) : reach_(reach) {}
 
   // The course of a segment from box `a` to box `b`, which are those of its ends.
-  std::uint32_t operator()(Node_index from, const CGAL::Bbox_2& a, Node_index to, const CGAL::Bbox_2& b) {
-    const unsigned senses = this->senses(a.xmin(), a.xmax(), b.xmin(), b.xmax()) |
-                            this->senses(a.ymin(), a.ymax(), b.ymin(), b.ymax()) << 2;
-    const double gap = std::max({b.xmin() - a.xmax(), a.xmin() - b.xmax(), b.ymin() - a.ymax(), a.ymin() - b.ymax()});
-    const bool is_short = !(gap > reach_);
+  std::uint32_t operator()(Node_index from, const Flat_box& a, Node_index to, const Flat_box& b) {
+    const unsigned senses =
+        this->senses(a.xmin, a.xmax, b.xmin, b.xmax) | this->senses(a.ymin, a.ymax, b.ymin, b.ymax) << 2;
+    const double gap_x = std::max(b.xmin - a.xmax, a.xmin - b.xmax);
+    const double gap_y = std::max(b.ymin - a.ymax, a.ymin - b.ymax);
+    const bool is_short = !(std::max(gap_x, gap_y) > reach_);
     senses_ &= senses;
     if (from != end_ || is_short || (senses_ & 3) == 0 || (senses_ & 12) == 0) {
       ++course_;
@@ -177,8 +177,10 @@ class Near_pairs {
   void within(std::uint32_t run) {
     const std::uint32_t first = firsts_[run], last = firsts_[run + 1];
     if (are_one_course(first, last - 1)) return;
+    std::uint32_t next_course = first;
     for (std::uint32_t i = first; i < last; ++i) {
-      for (std::uint32_t j = i + 1; j < last; ++j) add(i, j);
+      while (next_course < last && are_one_course(i, next_course)) ++next_course;
+      for (std::uint32_t j = next_course; j < last; ++j) add(i, j);
     }
   }
 
@@ -246,14 +248,21 @@ std::vector<Near_pair> near_steps(const std::vector<Step>& steps, const std::vec
   boxes.reserve(steps.size());
   std::vector<std::uint32_t> number;  // of the step of each box, if some have none
   Course_counter course(2 * reach);
+  Node_index last;
+  Flat_box end{};  // of the last node
   for (std::uint32_t s = 0; s < steps.size(); ++s) {
     if (!twins.empty() && twins[s] != s) {
       course.interrupt();
       continue;
     }
     if (!twins.empty()) number.push_back(s);
-    const CGAL::Bbox_2 a = nodes.box(steps[s][0]), b = nodes.box(steps[s][1]);
-    boxes.push_back({flat_box(a + b, reach), course(steps[s][0], a, steps[s][1], b)});
+    const auto [from, to] = steps[s];
+    const Flat_box a = from == last ? end : flat_box(nodes.box(from));
+    end = flat_box(nodes.box(to));
+    last = to;
+    Flat_box both = a;
+    both.add(end);
+    boxes.push_back({both.inflated(reach), course(from, a, to, end)});
   }
   const auto step = [&](std::uint32_t box) { return number.empty() ? box : number[box]; };
   const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {

@@ -40,8 +40,11 @@ class Planar_map {
 
   Number number_of_halfedges() const { return static_cast<Number>(2 * edges_.size()); }
   Number number_of_faces() const { return static_cast<Number>(faces_.size()); }
-  Node_index source(Number h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
-  Node_index target(Number h) const { return source(h ^ 1); }
+  // The ends of edges have numbers of their own.
+  std::size_t number_of_ends() const { return all_.ends.size(); }
+  Node_index node(Number end) const { return all_.ends[end]; }
+  Number source(Number h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
+  Number target(Number h) const { return source(h ^ 1); }
   // The nodes of an edge, from its lower end to its upper one.
   std::span<const Node_index> path(Number edge) const { return all_.path(edge); }
   std::size_t number_of_path_nodes() const { return all_.nodes.size(); }
@@ -56,8 +59,8 @@ class Planar_map {
   void for_each_cycle(Number face, const Function& f) const {
     for (Number c = faces_[face].first; c != none; c = cycles_[c].next) f(cycles_[c].start);
   }
-  // The number of edges at a node.
-  std::size_t degree(Node_index n) const { return first_[n.value() + 1] - first_[n.value()]; }
+  // The number of edges at an end.
+  std::size_t degree(Number end) const { return first_[end + 1] - first_[end]; }
 
  private:
   struct Cycle {
@@ -77,20 +80,18 @@ class Planar_map {
 
   // Counterclockwise from the direction straight down, that one excluded: first those that ascend by xy.
   void sort_around_nodes() {
-    first_.assign(nodes_.points.size() + 1, 0);
-    for (Number h = 0; h < number_of_halfedges(); ++h) ++first_[source(h).value() + 1];
+    first_.assign(number_of_ends() + 1, 0);
+    for (Number h = 0; h < number_of_halfedges(); ++h) ++first_[source(h) + 1];
     for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
     out_.resize(number_of_halfedges());
-    std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
-    for (Number h = 0; h < number_of_halfedges(); ++h) {
-      out_[end[source(h).value()]++] = h;
-    }
-    const auto before = [this](std::uint32_t g, std::uint32_t h) {
+    std::vector<Number> place(first_.begin(), first_.end() - 1);
+    for (Number h = 0; h < number_of_halfedges(); ++h) out_[place[source(h)]++] = h;
+    const auto before = [this](Number g, Number h) {
       if (ascends(g) != ascends(h)) return ascends(g);
-      return turn<Traits>(point(source(g)), point(second(g)), point(second(h))) == CGAL::LEFT_TURN;
+      return turn<Traits>(point(node(source(g))), point(second(g)), point(second(h))) == CGAL::LEFT_TURN;
     };
-    for (std::size_t n = 0; n + 1 < first_.size(); ++n) {
-      if (first_[n + 1] - first_[n] > 1) std::sort(out_.begin() + first_[n], out_.begin() + first_[n + 1], before);
+    for (Number n = 0; n < number_of_ends(); ++n) {
+      if (degree(n) > 1) std::sort(out_.begin() + first_[n], out_.begin() + first_[n + 1], before);
     }
   }
 
@@ -98,7 +99,7 @@ class Planar_map {
   // clockwise from where this one came.
   void link() {
     next_.resize(number_of_halfedges());
-    for (std::size_t n = 0; n + 1 < first_.size(); ++n) {
+    for (Number n = 0; n < number_of_ends(); ++n) {
       for (Number i = first_[n]; i < first_[n + 1]; ++i) {
         next_[out_[i] ^ 1] = out_[i == first_[n] ? first_[n + 1] - 1 : i - 1];
       }
@@ -114,36 +115,36 @@ class Planar_map {
     }
   }
 
-  // The lowest node of each connected component, ascending.
+  // The lowest end of each connected component, ascending.
   void find_components() {
-    std::vector<bool> seen(nodes_.points.size(), false);
-    std::vector<Node_index> stack;
-    for (std::size_t start = 0; start + 1 < first_.size(); ++start) {
-      if (seen[start] || degree(Node_index(start)) == 0) continue;
-      Node_index lowest(start);
+    std::vector<char> seen(number_of_ends(), false);
+    std::vector<Number> stack;
+    for (Number start = 0; start < number_of_ends(); ++start) {
+      if (seen[start] || degree(start) == 0) continue;
+      Number lowest = start;
       seen[start] = true;
       stack.push_back(lowest);
       while (!stack.empty()) {
-        const Node_index n = stack.back();
+        const Number n = stack.back();
         stack.pop_back();
         if (is_less(n, lowest)) lowest = n;
-        for (std::uint32_t i = first_[n.value()]; i < first_[n.value() + 1]; ++i) {
-          const Node_index m = target(out_[i]);
-          if (!seen[m.value()]) stack.push_back(m);
-          seen[m.value()] = true;
+        for (Number i = first_[n]; i < first_[n + 1]; ++i) {
+          const Number m = target(out_[i]);
+          if (!seen[m]) stack.push_back(m);
+          seen[m] = true;
         }
       }
       lowest_.push_back(lowest);
     }
-    std::sort(lowest_.begin(), lowest_.end(), [this](Node_index n, Node_index m) { return is_less(n, m); });
+    std::sort(lowest_.begin(), lowest_.end(), [this](Number n, Number m) { return is_less(n, m); });
   }
 
   // At the lowest node of a component everything ascends, so the wedge left of the last halfedge opens to the
   // outside: its cycle goes around the component. All other cycles are outer ones of a face of their own.
-  Number cycle_around(Node_index lowest) const { return cycle_[out_[first_[lowest.value() + 1] - 1]]; }
+  Number cycle_around(Number lowest) const { return cycle_[out_[first_[lowest + 1] - 1]]; }
 
   void find_faces() {
-    for (Node_index n : lowest_) cycles_[cycle_around(n)].face = 0;
+    for (Number n : lowest_) cycles_[cycle_around(n)].face = 0;
     faces_.reserve(cycles_.size() + 1);
     faces_.emplace_back();
     for (Number c = 0; c < cycles_.size(); ++c) {
@@ -154,7 +155,7 @@ class Planar_map {
     nest();
   }
 
-  // Orders edges, and points that lie on none of them, from below.
+  // Orders edges, and nodes that lie on none of them, from below.
   struct Below {
     using is_transparent = void;
     const Planar_map* map;
@@ -162,12 +163,12 @@ class Planar_map {
     bool operator()(Number e, Number f) const {
       if (e == f) return false;
       const Planar_map& m = *map;
-      const Node_index a = m.edges_[e].a, b = m.edges_[f].a;
+      const Number a = m.edges_[e].a, b = m.edges_[f].a;
       if (a == b) {
-        return turn<Traits>(m.point(a), m.point(m.second(2 * e)), m.point(m.second(2 * f))) == CGAL::LEFT_TURN;
+        return turn<Traits>(m.point(m.node(a)), m.point(m.second(2 * e)), m.point(m.second(2 * f))) == CGAL::LEFT_TURN;
       }
-      if (m.is_less(a, b)) return m.turns(e, b) == CGAL::LEFT_TURN;
-      return m.turns(f, a) == CGAL::RIGHT_TURN;
+      if (m.is_less(a, b)) return m.turns(e, m.node(b)) == CGAL::LEFT_TURN;
+      return m.turns(f, m.node(a)) == CGAL::RIGHT_TURN;
     }
     bool operator()(Number e, Node_index n) const { return map->turns(e, n) == CGAL::LEFT_TURN; }
     bool operator()(Node_index n, Number e) const { return map->turns(e, n) == CGAL::RIGHT_TURN; }
@@ -176,6 +177,7 @@ class Planar_map {
   static bool ascends(Number h) { return h % 2 == 0; }
   const typename Traits::Point_2& point(Node_index n) const { return nodes_.point(n); }
   bool is_less(Node_index n, Node_index m) const { return is_less_xy<Traits>(point(n), point(m)); }
+  bool is_less(Number end, Number other) const { return is_less(node(end), node(other)); }
   // The node after the source of a halfedge.
   Node_index second(Number h) const {
     const std::span<const Node_index> nodes = path(h / 2);
@@ -190,11 +192,11 @@ class Planar_map {
     return turn<Traits>(point(*std::prev(upper)), point(*upper), point(n));
   }
 
-  // The edges that pass above or below the lowest node of a component.
-  std::vector<std::uint32_t> edges_around_lowest() const {
-    std::vector<std::uint32_t> result;
-    const auto less = [this](Node_index n, Node_index m) { return is_less(n, m); };
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+  // The edges that pass above or below the lowest end of a component.
+  std::vector<Number> edges_around_lowest() const {
+    std::vector<Number> result;
+    const auto less = [this](Number n, Number m) { return is_less(n, m); };
+    for (Number e = 0; e < edges_.size(); ++e) {
       const auto next = std::upper_bound(lowest_.begin(), lowest_.end(), edges_[e].a, less);
       if (next != lowest_.end() && is_less(*next, edges_[e].b)) result.push_back(e);
     }
@@ -205,23 +207,23 @@ class Planar_map {
   void nest() {
     if (lowest_.size() == 1) add_to_face(cycle_around(lowest_.front()), 0);
     if (lowest_.size() <= 1) return;
-    std::vector<std::uint32_t> starts = edges_around_lowest(), ends = starts;
+    std::vector<Number> starts = edges_around_lowest(), ends = starts;
     std::sort(starts.begin(), starts.end(), [&](auto e, auto f) { return is_less(edges_[e].a, edges_[f].a); });
     std::sort(ends.begin(), ends.end(), [&](auto e, auto f) { return is_less(edges_[e].b, edges_[f].b); });
     using Status_line = std::set<Number, Below>;
     Status_line line(Below{this});
     std::vector<typename Status_line::iterator> places(edges_.size(), line.end());
     auto start = starts.begin(), end = ends.begin();
-    const auto start_before = [&](Node_index n) {
+    const auto start_before = [&](Number n) {
       for (; start != starts.end() && is_less(edges_[*start].a, n); ++start) places[*start] = line.insert(*start).first;
     };
-    for (Node_index n : lowest_) {
+    for (Number n : lowest_) {
       for (; end != ends.end() && !is_less(n, edges_[*end].b); ++end) {
         start_before(edges_[*end].b);
         line.erase(places[*end]);
       }
       start_before(n);
-      const auto above = line.lower_bound(n);
+      const auto above = line.lower_bound(node(n));
       add_to_face(cycle_around(n), above == line.begin() ? 0 : face(2 * *std::prev(above)));
     }
   }
@@ -229,10 +231,10 @@ class Planar_map {
   const Layer_nodes<Traits>& nodes_;
   const Overlay_edges& all_;
   const std::vector<Overlay_edge>& edges_;
-  std::vector<Number> first_, out_;  // the halfedges that leave each node
+  std::vector<Number> first_, out_;  // the halfedges that leave each end
   std::vector<Number> next_, cycle_;
   std::vector<Cycle> cycles_;
-  std::vector<Node_index> lowest_;
+  std::vector<Number> lowest_;
   std::vector<Face> faces_;
 };
 
@@ -258,7 +260,7 @@ std::vector<Loop_label> flooded_labels(const Planar_map<Traits>& map, const Laye
       std::sort(patches.begin(), patches.end());
       patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
       std::erase(patches, Loop_label::none);
-      fail_imprint(nodes, map.source(h),
+      fail_imprint(nodes, map.node(map.source(h)),
                    set == 0 ? "sources overlap or are not closed" : "targets overlap or are not closed", patches);
     }
     if (seen[other]) return;
