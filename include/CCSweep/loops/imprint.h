@@ -136,13 +136,13 @@ template <class Traits, class SegmentIndex>
 Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance) {
   Imprint<Traits> result;
   using Pieces = Overlay_pieces<Traits>;
-  const double rounding = checked_rounding(drawing, tolerance);
-  const double off = has_exact_constructions<typename Traits::FT> ? 0 : rounding;
-  Snapped_drawing<Traits> snapped = snap<Traits, SegmentIndex>(drawing, tolerance, rounding, Pieces::slack(off));
-  Layer_nodes<Traits>& nodes = snapped.nodes;
+  Checked_drawing<Traits> checked = internal::checked(drawing, tolerance);
+  Layer_nodes<Traits>& nodes = checked.nodes;
+  const double off = has_exact_constructions<typename Traits::FT> ? 0 : checked.rounding();
+  Snapped_segments snapped = snap<Traits, SegmentIndex>(drawing, checked, tolerance, Pieces::slack(off));
 
   const auto is_fixed = [&](std::size_t s) { return drawing.segments[s].fixed; };
-  Pieces pieces(nodes, snapped.chains, is_fixed, snapped.twins, std::move(snapped.near), tolerance, off);
+  Pieces pieces(nodes, snapped.chains, snapped.steps, is_fixed, snapped.twins, std::move(snapped.near), tolerance, off);
   pieces.split_all();
   result.chains = pieces.expanded();
 

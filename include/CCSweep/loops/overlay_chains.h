@@ -27,13 +27,16 @@ class Node_chains {
   bool empty() const { return ends_.empty(); }
   /// The nodes of a chain; they stay where they are until the next change.
   std::span<const Node_index> operator[](std::size_t chain) const {
-    const std::size_t first = chain == 0 ? 0 : ends_[chain - 1];
-    return {nodes_.data() + first, nodes_.data() + ends_[chain]};
+    return {nodes_.data() + nodes_before(chain), nodes_.data() + ends_[chain]};
   }
   friend bool operator==(const Node_chains&, const Node_chains&) = default;
 
   /// The number of nodes of all chains.
   std::size_t number_of_nodes() const { return nodes_.size(); }
+  /// The number of nodes of the chains before one.
+  std::size_t nodes_before(std::size_t chain) const { return chain == 0 ? 0 : ends_[chain - 1]; }
+  /// The same of the steps from one node of a chain to the next; no chain is empty.
+  std::size_t steps_before(std::size_t chain) const { return nodes_before(chain) - chain; }
 
   void reserve(std::size_t chains, std::size_t nodes) {
     ends_.reserve(chains);
@@ -44,7 +47,7 @@ class Node_chains {
   /// Adds chains `first` to `last`, the latter not included, of another sequence.
   void append(const Node_chains& other, std::size_t first, std::size_t last) {
     if (first == last) return;
-    const std::uint32_t from = first == 0 ? 0 : other.ends_[first - 1];
+    const std::uint32_t from = static_cast<std::uint32_t>(other.nodes_before(first));
     const std::uint32_t size = static_cast<std::uint32_t>(nodes_.size());
     nodes_.insert(nodes_.end(), other.nodes_.begin() + from, other.nodes_.begin() + other.ends_[last - 1]);
     const auto moved = [from, size](std::uint32_t end) { return end - from + size; };

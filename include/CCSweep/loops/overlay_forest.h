@@ -41,15 +41,15 @@ class Piece_forest {
  public:
   // A piece for each step of the chains, which are fixed as `fixed` tells; `twins` as `first_twins` tells, or empty.
   template <class Fixed>
-  Piece_forest(const Layer_nodes<Traits>& nodes, const Node_chains& chains, const Fixed& fixed,
-               const std::vector<std::uint32_t>& twins)
-      : nodes_(nodes), chains_(chains) {
-    pieces_.reserve(2 * (chains.number_of_nodes() - chains.size()));
+  Piece_forest(const Layer_nodes<Traits>& nodes, const Node_chains& chains, const std::vector<Step>& steps,
+               const Fixed& fixed, const std::vector<std::uint32_t>& twins)
+      : nodes_(nodes), chains_(chains), drawn_(static_cast<std::uint32_t>(steps.size())) {
+    pieces_.reserve(2 * steps.size());
+    for (const auto [a, b] : steps) add(a, b, false, 0);
     for (std::size_t c = 0; c < chains.size(); ++c) {
-      const std::span<const Node_index> chain = chains[c];
-      for (std::size_t i = 1; i < chain.size(); ++i) add(chain[i - 1], chain[i], fixed(c), 0);
+      if (!fixed(c)) continue;
+      for (std::size_t i = chains.steps_before(c); i < chains.steps_before(c + 1); ++i) pieces_[i].fixed = true;
     }
-    drawn_ = static_cast<std::uint32_t>(pieces_.size());
     for (std::uint32_t i = 0; i < twins.size(); ++i) {
       if (twins[i] != i) make_twin(i, twins[i]);
     }
@@ -62,10 +62,12 @@ class Piece_forest {
   Piece& operator[](std::uint32_t i) { return pieces_[i]; }
 
   void add(Node_index a, Node_index b, bool fixed, int tested_in) {
-    pieces_.push_back({std::min(a, b), std::max(a, b)});
-    pieces_.back().fixed = fixed;
-    pieces_.back().clear = has_plain_coordinates<Traits>;
-    pieces_.back().tested_in = static_cast<std::int8_t>(tested_in);
+    Piece& piece = pieces_.emplace_back();
+    piece.a = std::min(a, b);
+    piece.b = std::max(a, b);
+    piece.fixed = fixed;
+    piece.clear = has_plain_coordinates<Traits>;
+    piece.tested_in = static_cast<std::int8_t>(tested_in);
   }
 
   // The parts of a piece are the next ones that are added.
@@ -145,18 +147,14 @@ class Piece_forest {
   Node_chains expanded() const {
     Node_chains result;
     result.reserve(chains_.size(), chains_.number_of_nodes() + pieces_.size() - drawn_);
-    std::size_t copied = 0;
-    std::uint32_t piece = 0;
-    for (std::size_t c = 0; c < chains_.size(); ++c) {
-      const std::span<const Node_index> chain = chains_[c];
-      const std::uint32_t first = piece;
-      piece += static_cast<std::uint32_t>(chain.size() - 1);
-      if (are_whole(first, piece)) continue;
+    std::size_t copied = 0, c = 0;
+    for (std::size_t piece = 0; piece < drawn_; ++piece) {
+      if (is_whole(piece)) continue;
+      while (chains_.steps_before(c + 1) <= piece) ++c;
       result.append(chains_, copied, c);
-      result.push_back(chain.front());
-      for (std::uint32_t i = first; i < piece; ++i) expand(i, chain[i - first], 0, result);
-      result.close();
+      append_expanded(c, result);
       copied = c + 1;
+      piece = chains_.steps_before(c + 1) - 1;
     }
     result.append(chains_, copied, chains_.size());
     return result;
@@ -165,11 +163,17 @@ class Piece_forest {
  private:
   static constexpr int maximal_depth = 60;
 
-  bool are_whole(std::uint32_t first, std::uint32_t last) const {
-    for (std::uint32_t i = first; i < last; ++i) {
-      if (pieces_[has_twin(i) ? pieces_[i].twin : i].parts > 0) return false;
-    }
-    return true;
+  bool is_whole(std::size_t i) const {
+    const Piece& piece = pieces_[i];
+    return (piece.twin == Piece::none ? piece : pieces_[piece.twin]).parts == 0;
+  }
+
+  void append_expanded(std::size_t number, Node_chains& result) const {
+    const std::span<const Node_index> chain = chains_[number];
+    const std::uint32_t first = static_cast<std::uint32_t>(chains_.steps_before(number));
+    result.push_back(chain.front());
+    for (std::uint32_t i = 1; i < chain.size(); ++i) expand(first + i - 1, chain[i - 1], 0, result);
+    result.close();
   }
 
   // Appends the nodes after `from` of a piece that begins or ends there.
@@ -188,7 +192,7 @@ class Piece_forest {
 
   const Layer_nodes<Traits>& nodes_;
   const Node_chains& chains_;
-  std::uint32_t drawn_ = 0;
+  std::uint32_t drawn_;
   std::vector<Piece> pieces_;
 };
 

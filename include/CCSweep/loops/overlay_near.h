@@ -248,8 +248,6 @@ std::vector<Near_pair> near_steps(const std::vector<Step>& steps, const std::vec
   boxes.reserve(steps.size());
   std::vector<std::uint32_t> number;  // of the step of each box, if some have none
   Course_counter course(2 * reach);
-  Node_index last;
-  Flat_box end{};  // of the last node
   for (std::uint32_t s = 0; s < steps.size(); ++s) {
     if (!twins.empty() && twins[s] != s) {
       course.interrupt();
@@ -257,12 +255,14 @@ std::vector<Near_pair> near_steps(const std::vector<Step>& steps, const std::vec
     }
     if (!twins.empty()) number.push_back(s);
     const auto [from, to] = steps[s];
-    const Flat_box a = from == last ? end : flat_box(nodes.box(from));
-    end = flat_box(nodes.box(to));
-    last = to;
-    Flat_box both = a;
-    both.add(end);
-    boxes.push_back({both.inflated(reach), course(from, a, to, end)});
+    const Flat_box a = flat_box(nodes.box(from)), b = flat_box(nodes.box(to));
+    // Number by number, for a box that is put together and then copied has to wait for the numbers to arrive.
+    Course_box& box = boxes.emplace_back();
+    box.xmin = std::min(a.xmin, b.xmin) - reach;
+    box.ymin = std::min(a.ymin, b.ymin) - reach;
+    box.xmax = std::max(a.xmax, b.xmax) + reach;
+    box.ymax = std::max(a.ymax, b.ymax) + reach;
+    box.course = course(from, a, to, b);
   }
   const auto step = [&](std::uint32_t box) { return number.empty() ? box : number[box]; };
   const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {

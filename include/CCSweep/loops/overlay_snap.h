@@ -24,56 +24,94 @@
 
 namespace CCSweep::internal {
 
-// Refuses what is no drawing. Returns how far rounding may take a constructed point from where it should be: a few
-// units in the last place of the largest coordinate.
+// A drawing, looked through once.
 template <class Traits>
-double checked_rounding(const Layer_drawing<Traits>& drawing, double tolerance) {
-  if (!(tolerance >= 0) || std::isinf(tolerance)) {
-    fail(Status_code::invalid_parameter, Stage::imprint, "the tolerance must be a finite number, and not negative");
-  }
-  double size = 0;
-  for (const auto& node : drawing.nodes) {
-    const double x = std::fabs(CGAL::to_double(node.point.x())), y = std::fabs(CGAL::to_double(node.point.y()));
-    if (!std::isfinite(x) || !std::isfinite(y)) {
-      fail(Status_code::invalid_parameter, Stage::imprint, "a coordinate of the layer is not a finite number");
-    }
-    size = std::max({size, x, y});
-  }
-  for (const auto& segment : drawing.segments) {
-    if (std::max(segment.source, segment.target).value() < drawing.nodes.size()) continue;
-    fail(Status_code::invalid_parameter, Stage::imprint, "a segment ends at a node that does not exist");
-  }
-  return 8 * std::numeric_limits<double>::epsilon() * size;
-}
+struct Checked_drawing {
+  Layer_nodes<Traits> nodes;
+  double size = 0;               // the largest coordinate
+  double chord_error = 0;        // the largest
+  bool has_neighbours = false;   // a set has several faces: what they share is often drawn twice
+  bool has_loose_nodes = false;  // no segment ends there
+
+  // How far rounding may take a constructed point from where it should be: a few units in the last place.
+  double rounding() const { return 8 * std::numeric_limits<double>::epsilon() * size; }
+};
 
 template <class Traits>
-Layer_nodes<Traits> drawn_nodes(const Layer_drawing<Traits>& drawing) {
+void read_nodes(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>& result) {
   const std::size_t size = drawing.nodes.size();
-  Layer_nodes<Traits> nodes;
+  Layer_nodes<Traits>& nodes = result.nodes;
   nodes.points.reserve(2 * size);  // those at crossings will follow
   nodes.representative.reserve(size);
   nodes.fixed.assign(size, false);
   nodes.corner.assign(size, false);
+  double largest = 0;
   for (std::size_t i = 0; i < size; ++i) {
     const auto& node = drawing.nodes[i];
+    const double x = std::fabs(CGAL::to_double(node.point.x())), y = std::fabs(CGAL::to_double(node.point.y()));
+    if (!std::isfinite(x) || !std::isfinite(y)) {
+      fail(Status_code::invalid_parameter, Stage::imprint, "a coordinate of the layer is not a finite number");
+    }
+    largest = std::max(largest, std::max(x, y));
     nodes.points.push_back(node.point);
     nodes.representative.emplace_back(i);
     if (node.fixed) nodes.fixed[i] = true;
     if (node.corner) nodes.corner[i] = true;
   }
-  // What a fixed segment ends at can't move without it.
-  for (const auto& segment : drawing.segments) {
-    if (!segment.fixed) continue;
-    nodes.fixed[segment.source.value()] = true;
-    nodes.fixed[segment.target.value()] = true;
-  }
-  return nodes;
+  result.size = largest;
 }
 
 template <class Traits>
-Node_chains straight_chains(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes) {
+void read_segments(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>& result) {
+  std::vector<char> is_end(drawing.nodes.size(), false);
+  Loop_label first;
+  const auto is_another = [](int label, int& known) {
+    if (known == Loop_label::none) known = label;
+    return label != Loop_label::none && label != known;
+  };
+  for (const auto& segment : drawing.segments) {
+    const Node_index a = segment.source, b = segment.target;
+    if (std::max(a, b).value() >= is_end.size()) {
+      fail(Status_code::invalid_parameter, Stage::imprint, "a segment ends at a node that does not exist");
+    }
+    is_end[a.value()] = is_end[b.value()] = true;
+    // What a fixed segment ends at can't move without it.
+    if (segment.fixed) result.nodes.fixed[a.value()] = result.nodes.fixed[b.value()] = true;
+    result.chord_error = std::max(result.chord_error, segment.chord_error);
+    for (const Loop_label& label : {segment.left, segment.right}) {
+      if (is_another(label.source, first.source) || is_another(label.target, first.target)) result.has_neighbours = true;
+    }
+  }
+  result.has_loose_nodes = std::find(is_end.begin(), is_end.end(), false) != is_end.end();
+}
+
+// Refuses what is no drawing.
+template <class Traits>
+Checked_drawing<Traits> checked(const Layer_drawing<Traits>& drawing, double tolerance) {
+  if (!(tolerance >= 0) || std::isinf(tolerance)) {
+    fail(Status_code::invalid_parameter, Stage::imprint, "the tolerance must be a finite number, and not negative");
+  }
+  Checked_drawing<Traits> result;
+  read_nodes(drawing, result);
+  read_segments(drawing, result);
+  return result;
+}
+
+// The drawing after snapping: each of its segments as a chain of nodes.
+struct Snapped_segments {
+  Node_chains chains;
+  std::vector<Step> steps;           // of all chains
+  std::vector<std::uint32_t> twins;  // per step, as `first_twins` tells; may be empty
+  std::vector<Near_pair> near;       // the steps that may meet, without twins
+};
+
+// The chains of segments that nothing splits, and their steps.
+template <class Traits>
+Snapped_segments straight_segments(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes) {
+  Snapped_segments result;
   std::vector<Node_index> chained(2 * drawing.segments.size());
   std::vector<std::uint32_t> ends(drawing.segments.size());
+  result.steps.reserve(ends.size());
   std::uint32_t size = 0;
   for (std::size_t s = 0; s < ends.size(); ++s) {
     const auto& segment = drawing.segments[s];
@@ -82,9 +120,11 @@ Node_chains straight_chains(const Layer_drawing<Traits>& drawing, const Layer_no
     chained[size + 1] = b;
     size += a == b ? 1 : 2;
     ends[s] = size;
+    if (a != b) result.steps.push_back({a, b});
   }
   chained.resize(size);
-  return {std::move(chained), std::move(ends)};
+  result.chains = {std::move(chained), std::move(ends)};
+  return result;
 }
 
 template <class Traits>
@@ -113,7 +153,7 @@ std::size_t number_merged(const Layer_nodes<Traits>& nodes) {
   return result;
 }
 
-// Says whether snapping could change anything; if not, all of it can be left out.
+// Says whether snapping could change anything where all nodes are ends; if not, all of it can be left out.
 template <class Traits>
 class Snap_need {
  public:
@@ -123,12 +163,8 @@ class Snap_need {
   // `near` are the pairs of segments within the tolerance and their chord errors, or more. Neighbours that run on are
   // not as near as either is long.
   bool exists(const std::vector<Near_pair>& near) const {
-    std::vector<char> is_end(drawing_.nodes.size(), false);
-    for (const Segment& segment : drawing_.segments) {
-      if (is_short(segment)) return true;
-      is_end[segment.source.value()] = is_end[segment.target.value()] = true;
-    }
-    if (std::find(is_end.begin(), is_end.end(), false) != is_end.end()) return true;
+    const auto is_short = [this](const Segment& segment) { return this->is_short(segment); };
+    if (std::any_of(drawing_.segments.begin(), drawing_.segments.end(), is_short)) return true;
     return std::any_of(near.begin(), near.end(), [this](const Near_pair& pair) {
       return is_close(drawing_.segments[pair.first], drawing_.segments[pair.second]);
     });
@@ -143,7 +179,7 @@ class Snap_need {
   }
 
   bool is_short(const Segment& segment) const {
-    if (tolerance_ == 0) return is_close(segment.source, segment.target);
+    if (tolerance_ == 0) return is_equal<Traits>(nodes_.point(segment.source), nodes_.point(segment.target));
     return distance(nodes_.place(segment.source), nodes_.place(segment.target)) <=
            std::fmax(tolerance_, segment.chord_error);
   }
@@ -182,8 +218,6 @@ class Snap_need {
 template <class Traits, class SegmentIndex>
 Node_chains snapped_chains(const Layer_drawing<Traits>& drawing, Layer_nodes<Traits>& nodes, double tolerance,
                            double rounding) {
-  merge_equal(nodes);
-  if (tolerance == 0) return straight_chains(drawing, nodes);
   const std::size_t equal = number_merged(nodes);
   const Snap_clearance<Traits, SegmentIndex> clearance(nodes, fixed_features(drawing, nodes));
   Node_merger<Traits, SegmentIndex>(nodes, clearance, tolerance).run();
@@ -200,53 +234,28 @@ Node_chains snapped_chains(const Layer_drawing<Traits>& drawing, Layer_nodes<Tra
   return result;
 }
 
-// The drawing after snapping: each of its segments as a chain of nodes.
-template <class Traits>
-struct Snapped_drawing {
-  Layer_nodes<Traits> nodes;
-  Node_chains chains;
-  std::vector<std::uint32_t> twins;  // per step of the chains, as `first_twins` tells
-  std::vector<Near_pair> near;       // the steps that may meet, without twins
-};
-
-// Whether a set has several faces. They share nodes and edges, and what is shared is often drawn twice.
-template <class Traits>
-bool has_neighbours(const Layer_drawing<Traits>& drawing) {
-  Loop_label first;
-  const auto is_another = [](int label, int& known) {
-    if (known == Loop_label::none) known = label;
-    return label != Loop_label::none && label != known;
-  };
-  for (const auto& segment : drawing.segments) {
-    for (const Loop_label& label : {segment.left, segment.right}) {
-      if (is_another(label.source, first.source) || is_another(label.target, first.target)) return true;
-    }
-  }
-  return false;
-}
-
-// Whether there is nothing to snap; then the chains and what is near are found.
-template <class SegmentIndex, class Traits>
-bool is_snapped(const Layer_drawing<Traits>& drawing, double tolerance, double slack, Snapped_drawing<Traits>& result) {
-  double reach = tolerance;
-  if (tolerance > 0) {
-    for (const auto& segment : drawing.segments) reach = std::fmax(reach, segment.chord_error);
-  }
-  result.chains = straight_chains(drawing, result.nodes);
-  result.near = near_steps<SegmentIndex>(steps_of(result.chains), {}, result.nodes, reach + slack);
-  return !Snap_need<Traits>(drawing, result.nodes, tolerance).exists(result.near);
-}
-
-// Tolerant snapping (section 2.7); the rules stand at `imprint_layer`. `slack` is what may still move later on.
+// Tolerant snapping (section 2.7) of a drawing and the nodes it was checked with; the rules stand at `imprint_layer`.
+// `slack` is what may still move later on.
 template <class Traits, class SegmentIndex>
-Snapped_drawing<Traits> snap(const Layer_drawing<Traits>& drawing, double tolerance, double rounding, double slack) {
-  Snapped_drawing<Traits> result{drawn_nodes(drawing), {}, {}, {}};
-  const bool is_sure = tolerance == 0 && has_neighbours(drawing);
-  if (!is_sure && is_snapped<SegmentIndex>(drawing, tolerance, slack, result)) return result;
-  result.chains = snapped_chains<Traits, SegmentIndex>(drawing, result.nodes, tolerance, rounding);
-  const std::vector<Step> steps = steps_of(result.chains);
-  result.twins = first_twins(steps, result.nodes.points.size());
-  result.near = near_steps<SegmentIndex>(steps, result.twins, result.nodes, tolerance + slack);
+Snapped_segments snap(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>& checked, double tolerance,
+                      double slack) {
+  Layer_nodes<Traits>& nodes = checked.nodes;
+  Snapped_segments result;
+  if (!checked.has_loose_nodes && !(tolerance == 0 && checked.has_neighbours)) {
+    const double reach = tolerance == 0 ? 0 : std::fmax(tolerance, checked.chord_error);
+    result = straight_segments(drawing, nodes);
+    result.near = near_steps<SegmentIndex>(result.steps, {}, nodes, reach + slack);
+    if (!Snap_need<Traits>(drawing, nodes, tolerance).exists(result.near)) return result;
+  }
+  merge_equal(nodes);
+  if (tolerance == 0) {
+    result = straight_segments(drawing, nodes);
+  } else {
+    result.chains = snapped_chains<Traits, SegmentIndex>(drawing, nodes, tolerance, checked.rounding());
+    result.steps = steps_of(result.chains);
+  }
+  result.twins = first_twins(result.steps, nodes.points.size());
+  result.near = near_steps<SegmentIndex>(result.steps, result.twins, nodes, tolerance + slack);
   return result;
 }
 
