@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(what_is_smaller_than_the_tolerance_is_reported) {
 }
 
 BOOST_AUTO_TEST_CASE(empty_zero_length_and_repeated_segments) {
-  BOOST_TEST(done(Layer_drawing<Kernel>{}, 1e-6).segments.empty());
+  BOOST_TEST(done(Layer_drawing<Kernel>{}, 1e-6).segments().empty());
   Layer_drawing<Kernel> drawing;
   draw(drawing, rectangle(0, 0, 1, 1), source_1);
   drawing.segments.push_back({Node_index(0), Node_index(0), source_1, {}});
