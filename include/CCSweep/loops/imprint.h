@@ -108,9 +108,9 @@ void draw_loops(Layer_drawing<Traits>& drawing, const std::vector<std::vector<ty
   }
 }
 
-// Finds the labels of the drawing of which nothing is left.
+// Finds the labels that a drawing has on the sides of segments and of which nothing is left.
 template <class Traits>
-void find_lost(const Layer_drawing<Traits>& drawing, Imprint<Traits>& imprint) {
+void find_lost(const std::vector<std::array<Loop_label, 2>>& drawn, Imprint<Traits>& imprint) {
   Number_set known;
   known.insert(Loop_label::none);
   Loop_label last;
@@ -120,10 +120,7 @@ void find_lost(const Layer_drawing<Traits>& drawing, Imprint<Traits>& imprint) {
     if (l.target != last.target) known.insert(l.target);
     last = l;
   }
-  std::array<Loop_label, 2> sides;
-  for (const auto& segment : drawing.segments) {
-    if (segment.left == sides[0] && segment.right == sides[1]) continue;
-    sides = {segment.left, segment.right};
+  for (const auto& sides : drawn) {
     for (const Loop_label& l : sides) {
       if (known.insert(l.source)) imprint.lost.push_back(l.source);
       if (known.insert(l.target)) imprint.lost.push_back(l.target);
@@ -156,7 +153,7 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
   result.corner = std::move(nodes.corner);
   result.representative = std::move(nodes.representative);
   result.notes = std::move(nodes.notes);
-  find_lost(drawing, result);
+  find_lost(checked.sides, result);
   return result;
 }
 

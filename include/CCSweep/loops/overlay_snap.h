@@ -32,6 +32,8 @@ struct Checked_drawing {
   double chord_error = 0;        // the largest
   bool has_neighbours = false;   // a set has several faces: what they share is often drawn twice
   bool has_loose_nodes = false;  // no segment ends there
+  bool has_short_segments = false;
+  std::vector<std::array<Loop_label, 2>> sides;  // all that segments have, some of them more than once
 
   // How far rounding may take a constructed point from where it should be: a few units in the last place.
   double rounding() const { return 8 * std::numeric_limits<double>::epsilon() * size; }
@@ -61,14 +63,34 @@ void read_nodes(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>& r
   result.size = largest;
 }
 
-template <class Traits>
-void read_segments(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>& result) {
-  std::vector<char> is_end(drawing.nodes.size(), false);
+// Whether a set has several faces.
+inline bool have_neighbours(const std::vector<std::array<Loop_label, 2>>& sides) {
   Loop_label first;
   const auto is_another = [](int label, int& known) {
     if (known == Loop_label::none) known = label;
     return label != Loop_label::none && label != known;
   };
+  for (const auto& both : sides) {
+    for (const Loop_label& label : both) {
+      if (is_another(label.source, first.source) || is_another(label.target, first.target)) return true;
+    }
+  }
+  return false;
+}
+
+// Whether snapping may make a point of a segment.
+template <class Traits>
+bool is_short(const typename Layer_drawing<Traits>::Segment& segment, const Layer_nodes<Traits>& nodes,
+              double tolerance) {
+  if (tolerance == 0) return is_equal<Traits>(nodes.point(segment.source), nodes.point(segment.target));
+  return distance(nodes.place(segment.source), nodes.place(segment.target)) <=
+         std::max(tolerance, segment.chord_error);
+}
+
+template <class Traits>
+void read_segments(const Layer_drawing<Traits>& drawing, double tolerance, Checked_drawing<Traits>& result) {
+  std::vector<char> is_end(drawing.nodes.size(), false);
+  std::array<Loop_label, 2> last;
   for (const auto& segment : drawing.segments) {
     const Node_index a = segment.source, b = segment.target;
     if (std::max(a, b).value() >= is_end.size()) {
@@ -78,10 +100,12 @@ void read_segments(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>
     // What a fixed segment ends at can't move without it.
     if (segment.fixed) result.nodes.fixed[a.value()] = result.nodes.fixed[b.value()] = true;
     result.chord_error = std::max(result.chord_error, segment.chord_error);
-    for (const Loop_label& label : {segment.left, segment.right}) {
-      if (is_another(label.source, first.source) || is_another(label.target, first.target)) result.has_neighbours = true;
-    }
+    if (is_short(segment, result.nodes, tolerance)) result.has_short_segments = true;
+    if (segment.left == last[0] && segment.right == last[1]) continue;
+    last = {segment.left, segment.right};
+    result.sides.push_back(last);
   }
+  result.has_neighbours = have_neighbours(result.sides);
   result.has_loose_nodes = std::find(is_end.begin(), is_end.end(), false) != is_end.end();
 }
 
@@ -93,7 +117,7 @@ Checked_drawing<Traits> checked(const Layer_drawing<Traits>& drawing, double tol
   }
   Checked_drawing<Traits> result;
   read_nodes(drawing, result);
-  read_segments(drawing, result);
+  read_segments(drawing, tolerance, result);
   return result;
 }
 
@@ -153,7 +177,8 @@ std::size_t number_merged(const Layer_nodes<Traits>& nodes) {
   return result;
 }
 
-// Says whether snapping could change anything where all nodes are ends; if not, all of it can be left out.
+// Says whether snapping could change anything where all nodes are ends and no segment is short; if not, all of it can
+// be left out.
 template <class Traits>
 class Snap_need {
  public:
@@ -163,8 +188,6 @@ class Snap_need {
   // `near` are the pairs of segments within the tolerance and their chord errors, or more. Neighbours that run on are
   // not as near as either is long.
   bool exists(const std::vector<Near_pair>& near) const {
-    const auto is_short = [this](const Segment& segment) { return this->is_short(segment); };
-    if (std::any_of(drawing_.segments.begin(), drawing_.segments.end(), is_short)) return true;
     return std::any_of(near.begin(), near.end(), [this](const Near_pair& pair) {
       return is_close(drawing_.segments[pair.first], drawing_.segments[pair.second]);
     });
@@ -176,12 +199,6 @@ class Snap_need {
   bool is_close(Node_index n, Node_index m) const {
     return tolerance_ == 0 ? is_equal<Traits>(nodes_.point(n), nodes_.point(m))
                            : distance(nodes_.place(n), nodes_.place(m)) <= tolerance_;
-  }
-
-  bool is_short(const Segment& segment) const {
-    if (tolerance_ == 0) return is_equal<Traits>(nodes_.point(segment.source), nodes_.point(segment.target));
-    return distance(nodes_.place(segment.source), nodes_.place(segment.target)) <=
-           std::fmax(tolerance_, segment.chord_error);
   }
 
   bool is_close(const Segment& s, const Segment& t) const {
@@ -241,7 +258,8 @@ Snapped_segments snap(const Layer_drawing<Traits>& drawing, Checked_drawing<Trai
                       double slack) {
   Layer_nodes<Traits>& nodes = checked.nodes;
   Snapped_segments result;
-  if (!checked.has_loose_nodes && !(tolerance == 0 && checked.has_neighbours)) {
+  const bool is_sure = checked.has_loose_nodes || checked.has_short_segments;
+  if (!is_sure && !(tolerance == 0 && checked.has_neighbours)) {
     const double reach = tolerance == 0 ? 0 : std::fmax(tolerance, checked.chord_error);
     result = straight_segments(drawing, nodes);
     result.near = near_steps<SegmentIndex>(result.steps, {}, nodes, reach + slack);
