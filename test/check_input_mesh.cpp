@@ -6,8 +6,14 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
+#include <array>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "io_shapes.h"
 
@@ -38,6 +44,75 @@ Polygon_soup tetrahedron(const Xyz& a, const Xyz& b, const Xyz& c, const Xyz& ti
   add_polygon(soup, {1, 2, 3}, 2);
   add_polygon(soup, {2, 0, 3}, 3);
   return soup;
+}
+
+// Every triangle becomes four.
+Polygon_soup refined(Polygon_soup soup) {
+  soup = triangulated(soup);
+  std::map<std::pair<Vertex, Vertex>, Vertex> middles;
+  const auto middle = [&](Vertex a, Vertex b) {
+    const auto [known, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<Vertex>(soup.points.size()));
+    if (is_new) {
+      Xyz m;
+      for (int k = 0; k < 3; ++k) m[k] = (soup.points[a][k] + soup.points[b][k]) / 2;
+      soup.points.push_back(m);
+    }
+    return known->second;
+  };
+  Polygon_soup result;
+  for (std::size_t f = 0; f < soup.number_of_polygons(); ++f) {
+    const auto t = soup.polygon(f);
+    const Vertex p = middle(t[0], t[1]), q = middle(t[1], t[2]), r = middle(t[2], t[0]);
+    for (const auto& [a, b, c] : std::initializer_list<std::array<Vertex, 3>>{
+             {t[0], p, r}, {p, t[1], q}, {r, q, t[2]}, {p, q, r}})
+      add_polygon(result, {a, b, c}, soup.patch_ids[f]);
+  }
+  result.points = std::move(soup.points);
+  return result;
+}
+
+// A bar of 16 by 1 by 0.2 whose length winds about the z axis, each radian farther out and higher up.
+Polygon_soup coil(double outward, double upward) {
+  Polygon_soup bar = refined(refined(refined(refined(box({0, 0, 0}, {16, 1, 0.2})))));
+  for (Xyz& p : bar.points) {
+    const double radius = 2 + outward * p[0] + p[1];
+    p = {radius * std::cos(p[0]), radius * std::sin(p[0]), p[2] + upward * p[0]};
+  }
+  return inside_out(bar);
+}
+
+using Double_kernel = CGAL::Kernel_traits<CCSweep::Double_point>::Kernel;
+
+CCSweep::internal::Triangle_surface<Double_kernel> surface_of(const Polygon_soup& soup) {
+  CCSweep::internal::Triangle_surface<Double_kernel> result;
+  std::map<std::pair<Vertex, Vertex>, std::uint32_t> edges;
+  for (std::size_t f = 0; f < soup.number_of_polygons(); ++f) {
+    const auto t = soup.polygon(f);
+    const auto point = [&](int i) {
+      const Xyz& p = soup.points[t[i]];
+      return CCSweep::Double_point(p[0], p[1], p[2]);
+    };
+    result.triangles.push_back({point(0), point(1), point(2)});
+    result.corners.push_back({t[0], t[1], t[2]});
+    result.patch.push_back(soup.patch_ids[f]);
+    for (int i = 0; i < 3; ++i) edges[{t[i], t[(i + 1) % 3]}] = static_cast<std::uint32_t>(3 * f + i);
+  }
+  for (const auto& [a, b, c] : result.corners)
+    for (const auto& edge : {std::pair(b, a), std::pair(c, b), std::pair(a, c)})
+      result.opposite.push_back(edges.at(edge));
+  return result;
+}
+
+// By a look at every pair.
+bool has_forbidden_contact(const Polygon_soup& soup) {
+  const CCSweep::internal::Forbidden_contact<Double_kernel> is_forbidden;
+  const auto triangles = surface_of(soup).triangles;
+  std::vector<CGAL::Bbox_3> boxes;
+  for (const auto& [p, q, r] : triangles) boxes.push_back(p.bbox() + q.bbox() + r.bbox());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t j = i + 1; j < triangles.size(); ++j)
+      if (CGAL::do_overlap(boxes[i], boxes[j]) && is_forbidden(triangles[i], triangles[j])) return true;
+  return false;
 }
 
 }  // namespace
@@ -95,7 +170,12 @@ BOOST_AUTO_TEST_CASE(contact_in_equal_edges_and_vertices_is_legal) {
 }
 
 BOOST_AUTO_TEST_CASE(any_other_contact_is_not) {
-  const auto code = [](const Polygon_soup& other) { return status_of(both(cube(), other)).code; };
+  const auto code = [](const Polygon_soup& other) {
+    const Status_code coarse = status_of(both(cube(), other)).code;
+    const Status fine = status_of(both(refined(refined(cube())), refined(refined(other))));
+    BOOST_TEST(fine.code == coarse, fine.reason);
+    return coarse;
+  };
   BOOST_TEST(code(box({0.5, 0.5, 0.5}, {2, 2, 2})) == Status_code::self_intersecting);        // through each other
   BOOST_TEST(code(box({1, 0, 0}, {2, 1, 1})) == Status_code::self_intersecting);              // face on face
   BOOST_TEST(code(box({1, 0.25, 0.25}, {2, 0.75, 0.75})) == Status_code::self_intersecting);  // in a face
@@ -123,6 +203,57 @@ BOOST_AUTO_TEST_CASE(facets_folded_onto_each_other_cross) {
   add_polygon(sheet, {0, 1, 2}, 0);
   add_polygon(sheet, {0, 2, 1}, 1);
   BOOST_TEST(status_of(sheet).code == Status_code::self_intersecting);
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_above_itself_is_judged_as_by_a_look_at_every_pair) {
+  std::size_t refused = 0, passed = 0;
+  for (const double outward : {0.0, 0.01, 0.1, 0.2})
+    for (const double upward : {-0.1, -0.01, 0.0, 0.03, 0.2}) {
+      const Polygon_soup soup = coil(outward, upward);
+      const Status status = status_of(soup);
+      const bool is_wrong = has_forbidden_contact(soup);
+      BOOST_TEST((status.code == Status_code::self_intersecting) == is_wrong, outward << " " << upward);
+      BOOST_TEST(status.ok() == !is_wrong, status.reason);
+      ++(is_wrong ? refused : passed);
+    }
+  BOOST_TEST(refused > 3u);
+  BOOST_TEST(passed > 3u);
+}
+
+BOOST_AUTO_TEST_CASE(a_chart_is_not_above_itself) {
+  using Charts = CCSweep::internal::Surface_charts<Double_kernel>;
+  const auto chart_of_top = [](const Polygon_soup& soup) {
+    const std::vector<std::uint32_t> charts = Charts::of(surface_of(soup));
+    std::set<std::uint32_t> result;
+    for (std::size_t f = 0; f < charts.size(); ++f)
+      if (soup.patch_ids[f] == 1) result.insert(charts[f]);
+    BOOST_TEST(result.size() == 1u);
+    return *result.begin();
+  };
+  BOOST_TEST(chart_of_top(coil(0, 0.1)) == Charts::none);    // turn above turn
+  BOOST_TEST(chart_of_top(coil(0.1, 0.1)) == Charts::none);  // by part of the width
+  BOOST_TEST(chart_of_top(coil(0.2, 0.1)) != Charts::none);  // beside one another
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_wound_around_a_vertex_is_refused) {
+  // A bar that goes around the z axis twice, its inner side drawn together.
+  Polygon_soup soup = refined(refined(refined(box({0, 0, 0}, {16, 1, 0.2}))));
+  for (Xyz& p : soup.points) {
+    const double angle = p[0] * 0.75, radius = p[1];
+    p = {radius * std::cos(angle), radius * std::sin(angle), p[2] + 0.001 * p[0] * p[1]};
+  }
+  std::map<Xyz, Vertex> known;
+  std::vector<Vertex> kept;
+  for (Vertex v = 0; v < soup.points.size(); ++v) kept.push_back(known.try_emplace(soup.points[v], v).first->second);
+  Polygon_soup joined;
+  joined.points = soup.points;
+  for (std::size_t f = 0; f < soup.number_of_polygons(); ++f) {
+    const auto t = soup.polygon(f);
+    const Vertex a = kept[t[0]], b = kept[t[1]], c = kept[t[2]];
+    if (a != b && b != c && c != a) add_polygon(joined, {a, b, c}, soup.patch_ids[f]);
+  }
+  BOOST_REQUIRE(has_forbidden_contact(joined));
+  BOOST_TEST(!status_of(joined).ok());
 }
 
 BOOST_AUTO_TEST_CASE(what_a_face_graph_can_hold_wrong_is_found) {

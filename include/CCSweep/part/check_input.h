@@ -19,6 +19,7 @@
 #include <boost/property_map/property_map.hpp>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <type_traits>
@@ -44,6 +45,7 @@ class Input_checker {
     check_areas();
     check_closed();
     check_fans();
+    number_corners();
     check_self_contact();
     check_shells();
   }
@@ -76,16 +78,16 @@ class Input_checker {
       std::size_t i = 0;
       for (auto v : CGAL::vertices_around_face(halfedge(f, mesh_), mesh_)) corners[i++] = get(points_, v);
       faces_.push_back(f);
-      triangles_.push_back(std::move(corners));
+      surface_.triangles.push_back(std::move(corners));
     }
   }
 
   void check_areas() const {
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const auto& [p, q, r] = triangles_[i];
+      const auto& [p, q, r] = surface_.triangles[i];
       if (Kernel().collinear_3_object()(p, q, r))
         refuse(Status_code::degenerate_facet, {faces_[i]}, "a facet has no area: its corners lie on one line",
-               middle(triangles_[i]));
+               middle(surface_.triangles[i]));
     }
   }
 
@@ -122,12 +124,38 @@ class Input_checker {
     }
   }
 
+  // Of a surface that is closed.
+  void number_corners() {
+    auto number_of_vertex = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), mesh_);
+    auto number_of_edge = get(CGAL::dynamic_halfedge_property_t<std::uint32_t>(), mesh_);
+    std::uint32_t vertex = 0, edge = 0;
+    for (auto v : vertices(mesh_)) put(number_of_vertex, v, vertex++);
+    for (Face f : faces_) {
+      auto& corners = surface_.corners.emplace_back();
+      auto h = next(halfedge(f, mesh_), mesh_);  // leaves the first corner
+      for (std::uint32_t& corner : corners) {
+        corner = get(number_of_vertex, source(h, mesh_));
+        put(number_of_edge, h, edge++);
+        h = next(h, mesh_);
+      }
+      surface_.patch.push_back(patch_of(f));
+    }
+    surface_.opposite.reserve(edge);
+    for (Face f : faces_) {
+      auto h = halfedge(f, mesh_);
+      for (int i = 0; i < 3; ++i) {
+        h = next(h, mesh_);
+        surface_.opposite.push_back(get(number_of_edge, opposite(h, mesh_)));
+      }
+    }
+  }
+
   void check_self_contact() const {
-    const auto pair = find_self_contact<Kernel>(triangles_);
+    const auto pair = find_self_contact<Kernel>(surface_);
     if (!pair) return;
     const Face f = faces_[pair->first], g = faces_[pair->second];
     refuse(Status_code::self_intersecting, {f, g}, "two facets meet elsewhere than in common vertices and edges",
-           middle(triangles_[pair->first]));
+           middle(surface_.triangles[pair->first]));
   }
 
   // A solid has one outward surface, and any number of inward ones within: its cavities.
@@ -136,7 +164,10 @@ class Input_checker {
     std::vector<Shell<Kernel>> shells;
     for (const auto& group : groups) {
       std::vector<typename Kernel::Triangle_3> triangles;
-      for (std::size_t i : group) triangles.emplace_back(triangles_[i][0], triangles_[i][1], triangles_[i][2]);
+      for (std::size_t i : group) {
+        const auto& [p, q, r] = surface_.triangles[i];
+        triangles.emplace_back(p, q, r);
+      }
       shells.emplace_back(std::move(triangles));
     }
     std::size_t solids = 0, second_solid = 0;
@@ -150,18 +181,16 @@ class Input_checker {
         refuse(Status_code::not_oriented, {faces_[groups[i].front()]},
                depth % 2 == 0 ? "the surface is inside out: its facets turn clockwise seen from outside"
                               : "an inner surface is turned outward: it bounds no cavity",
-               middle(triangles_[groups[i].front()]));
+               middle(surface_.triangles[groups[i].front()]));
       if (depth % 2 == 0 && ++solids == 2) second_solid = i;
     }
     if (solids > 1)
       refuse(Status_code::disjoint_solids, {faces_[groups[second_solid].front()]},
              "there are " + std::to_string(solids) + " solids: each is a job of its own",
-             middle(triangles_[groups[second_solid].front()]));
+             middle(surface_.triangles[groups[second_solid].front()]));
   }
 
   std::vector<std::vector<std::size_t>> connected_facets() const {
-    auto rank = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh_);
-    for (std::size_t i = 0; i < faces_.size(); ++i) put(rank, faces_[i], i);
     std::vector<char> seen(faces_.size(), 0);
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t start = 0; start < faces_.size(); ++start) {
@@ -169,8 +198,8 @@ class Input_checker {
       seen[start] = 1;
       std::vector<std::size_t> group = {start};
       for (std::size_t k = 0; k < group.size(); ++k)
-        for (auto h : CGAL::halfedges_around_face(halfedge(faces_[group[k]], mesh_), mesh_)) {
-          const std::size_t neighbor = get(rank, face(opposite(h, mesh_), mesh_));
+        for (std::size_t i = 0; i < 3; ++i) {
+          const std::size_t neighbor = surface_.opposite[3 * group[k] + i] / 3;
           if (!seen[neighbor]) group.push_back(neighbor);
           seen[neighbor] = 1;
         }
@@ -195,9 +224,16 @@ class Input_checker {
     return sum;
   }
 
+  int patch_of([[maybe_unused]] Face f) const {
+    if constexpr (std::is_same_v<FacePatchMap, No_patches>)
+      return 0;
+    else
+      return static_cast<int>(get(patches_, f));
+  }
+
   void add_patch([[maybe_unused]] Face f, [[maybe_unused]] std::vector<int>& patches) const {
     if constexpr (!std::is_same_v<FacePatchMap, No_patches>) {
-      const int id = static_cast<int>(get(patches_, f));
+      const int id = patch_of(f);
       const auto at = std::lower_bound(patches.begin(), patches.end(), id);
       if (at == patches.end() || *at != id) patches.insert(at, id);
     }
@@ -216,7 +252,7 @@ class Input_checker {
   VertexPointMap points_;
   FacePatchMap patches_;
   std::vector<Face> faces_;
-  std::vector<Corners> triangles_;  // the corners of each of them
+  Triangle_surface<Kernel> surface_;  // of them, in the same order
 };
 
 }  // namespace internal

@@ -3,13 +3,15 @@
 #ifndef CCSWEEP_PART_SELF_CONTACT_H
 #define CCSWEEP_PART_SELF_CONTACT_H
 
+#include <CCSweep/part/Surface_charts.h>
+#include <CCSweep/part/Triangle_tree.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -89,41 +91,25 @@ class Forbidden_contact {
   Kernel kernel_;
 };
 
-// The first pair of triangles with a forbidden contact, by their place in the range. On a surface that is nothing but
-// such pairs the search stops early, with one of them.
+// The first pair of triangles with a forbidden contact, by their numbers. On a surface that is nothing but such pairs
+// the search stops early, with one of them.
 template <class Kernel>
-std::optional<std::pair<std::size_t, std::size_t>> find_self_contact(
-    const std::vector<std::array<typename Kernel::Point_3, 3>>& triangles) {
-  struct Box : CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS> {
-    using Base = CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
-    Box(const CGAL::Bbox_3& bbox, std::size_t i) : Base(bbox), triangle(i) {}
-    std::size_t triangle;
-  };
-  struct Enough {};
+std::optional<std::pair<std::uint32_t, std::uint32_t>> find_self_contact(const Triangle_surface<Kernel>& surface) {
   constexpr std::size_t limit = 10000;
-
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    boxes.emplace_back(triangles[i][0].bbox() + triangles[i][1].bbox() + triangles[i][2].bbox(), i);
-  std::vector<const Box*> handles;
-  handles.reserve(boxes.size());
-  for (const Box& box : boxes) handles.push_back(&box);
+  std::vector<CGAL::Bbox_3> boxes;
+  boxes.reserve(surface.triangles.size());
+  for (const auto& [p, q, r] : surface.triangles) boxes.push_back(p.bbox() + q.bbox() + r.bbox());
 
   const Forbidden_contact<Kernel> is_forbidden;
-  std::optional<std::pair<std::size_t, std::size_t>> first;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> first;
   std::size_t found = 0;
-  const auto look_at = [&](const Box* a, const Box* b) {
-    if (!is_forbidden(triangles[a->triangle], triangles[b->triangle])) return;
-    const auto pair = std::minmax(a->triangle, b->triangle);
-    if (!first || std::pair<std::size_t, std::size_t>(pair) < *first) first = pair;
-    if (++found == limit) throw Enough{};
+  const auto look_at = [&](std::uint32_t s, std::uint32_t t) {
+    if (!is_forbidden(surface.triangles[s], surface.triangles[t])) return true;
+    const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax(s, t);
+    if (!first || pair < *first) first = pair;
+    return ++found < limit;
   };
-  constexpr std::ptrdiff_t cutoff = 50;  // below this many boxes the search compares all of them
-  try {
-    CGAL::box_self_intersection_d(handles.begin(), handles.end(), look_at, cutoff);
-  } catch (const Enough&) {
-  }
+  Triangle_tree(boxes, Surface_charts<Kernel>::of(surface)).for_each_pair(look_at);
   return first;
 }
 
