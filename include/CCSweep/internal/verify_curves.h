@@ -85,13 +85,34 @@ void check_curves(const Scene<Kernel>& scene) {
              {pair.first, pair.second}, scene.place(curve.point));
 }
 
+/// Tells the points of a surface where three or more patches meet.
+inline std::vector<char> corners(const Surface& surface, std::size_t number_of_points) {
+  struct Meeting {
+    int size = 0;
+    std::array<int, 2> patches{};  // the first of them
+  };
+  std::vector<Meeting> meetings(number_of_points);
+  for (std::size_t t = 0; t < surface.points.size(); ++t)
+    for (std::uint32_t p : surface.points[t]) {
+      auto& [size, patches] = meetings[p];
+      if (size == 3 || std::find(patches.begin(), patches.begin() + size, surface.patch[t]) != patches.begin() + size)
+        continue;
+      if (size < 2) patches[size] = surface.patch[t];
+      ++size;
+    }
+  std::vector<char> result;
+  for (const Meeting& meeting : meetings) result.push_back(meeting.size == 3);
+  return result;
+}
+
 /// Every input vertex where three or more patches meet is an outer vertex of a sub-volume that touches these patches.
 template <class Kernel>
 void check_corners(const Scene<Kernel>& scene) {
+  const std::vector<char> is_corner = corners(scene.input, scene.points.size());
   auto patches_at = [&](const Surface& surface, std::vector<std::pair<std::uint32_t, int>>& found) {
     for (std::size_t t = 0; t < surface.points.size(); ++t)
-      if (scene.is_input_patch(surface.patch[t]))
-        for (std::uint32_t p : surface.points[t]) found.emplace_back(p, surface.patch[t]);
+      for (std::uint32_t p : surface.points[t])
+        if (is_corner[p] && scene.is_input_patch(surface.patch[t])) found.emplace_back(p, surface.patch[t]);
   };
   auto tidy = [](auto& found) {
     std::sort(found.begin(), found.end());
@@ -102,13 +123,9 @@ void check_corners(const Scene<Kernel>& scene) {
   for (const Surface& volume : scene.volumes) patches_at(volume, after);
   tidy(before);
   tidy(after);
-  for (std::size_t i = 0, j = 0; i < before.size(); i = j) {
-    while (j < before.size() && before[j].first == before[i].first) ++j;
-    if (j - i < 3) continue;
-    for (std::size_t k = i; k < j; ++k)
-      if (!std::binary_search(after.begin(), after.end(), before[k]))
-        reject("a corner of the input is not kept", {before[k].second}, scene.place(before[k].first));
-  }
+  for (const auto& kept : before)
+    if (!std::binary_search(after.begin(), after.end(), kept))
+      reject("a corner of the input is not kept", {kept.second}, scene.place(kept.first));
 }
 
 }  // namespace CCSweep::internal::verification

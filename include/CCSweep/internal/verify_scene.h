@@ -20,7 +20,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -165,19 +164,19 @@ Surface read_surface(const FaceGraph& mesh, PointMap point_of, PatchMap patch_of
   Surface surface;
   surface.title = std::move(title);
   if (!CGAL::is_valid_polygon_mesh(mesh)) reject(surface.title + " is not a valid halfedge structure");
-  std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, std::uint32_t> number;
+  auto number = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), mesh);
   for (auto v : CGAL::make_range(vertices(mesh))) {
     const typename Kernel::Point_3 p = to_point<Kernel>(get(point_of, v));
     if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
       reject(surface.title + " has a coordinate that is not finite");
     points.push_back(p);
-    number.emplace(v, static_cast<std::uint32_t>(surface.number_of_vertices++));
+    put(number, v, static_cast<std::uint32_t>(surface.number_of_vertices++));
   }
   for (auto f : CGAL::make_range(faces(mesh))) {
     auto h = halfedge(f, mesh);
     if (!CGAL::is_triangle(h, mesh)) reject(surface.title + " has a face that is no triangle", {get(patch_of, f)});
     surface.vertices.push_back(
-        {number.at(source(h, mesh)), number.at(target(h, mesh)), number.at(target(next(h, mesh), mesh))});
+        {get(number, source(h, mesh)), get(number, target(h, mesh)), get(number, target(next(h, mesh), mesh))});
     surface.patch.push_back(get(patch_of, f));
   }
   if (surface.vertices.empty()) reject(surface.title + " has no triangles");

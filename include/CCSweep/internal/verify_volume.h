@@ -41,10 +41,11 @@ class Exact_volume {
     }
   }
 
-  /// Six times the signed volume of the tetrahedron of the origin and a triangle.
+  /// Six times the signed volume between a triangle and the plane z = 0.
   Number operator()(const Triple& t) const {
     const auto &a = coordinates_[t[0]], &b = coordinates_[t[1]], &c = coordinates_[t[2]];
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const Number area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    return (a[2] + b[2] + c[2]) * area;
   }
 
   static double ratio(const Number& a, const Number& b) {

@@ -30,7 +30,7 @@ class Wall_tracer {
 
  public:
   Wall_tracer(const Part_type& part, const Roles& roles, const Layering& layering)
-      : part_(part), roles_(roles), layering_(layering) {
+      : part_(part), roles_(roles), layering_(layering), bottom_of_(part.mesh.number_of_faces(), none) {
     distribute_faces();
     find_sharp_edges();
   }
@@ -60,6 +60,8 @@ class Wall_tracer {
     Wall_loop::Carrier carrier;
     bool is_point = false;
   };
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   double parameter(Vertex v) const { return layering_.parameter[v]; }
   bool is_wall(Face f) const { return roles_.of_patch[part_.patch(f).value()] == Role::linking; }
@@ -171,32 +173,35 @@ class Wall_tracer {
 
   // Two loops belong together when the linking faces join them between the two layers.
   std::vector<Wall_strip> pair_loops(std::size_t slab, const std::vector<Face>& bottoms,
-                                     const std::vector<Face>& tops) const {
+                                     const std::vector<Face>& tops) {
     const double low = layering_.layers[slab], high = layering_.layers[slab + 1];
-    std::map<Face, std::size_t> component;
-    std::vector<Face> stack;
+    std::vector<Face> reached;
+    const auto reach = [&](Face f, std::size_t bottom) {
+      if (bottom_of_[f] != none) return false;
+      bottom_of_[f] = bottom;
+      reached.push_back(f);
+      return true;
+    };
     for (std::size_t i = 0; i < bottoms.size(); ++i) {
-      if (!component.emplace(bottoms[i], i).second) report_unpaired(slab, bottoms[i]);
-      stack.push_back(bottoms[i]);
-      while (!stack.empty()) {
-        const Face f = stack.back();
-        stack.pop_back();
-        for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(f))) {
+      std::size_t next = reached.size();
+      if (!reach(bottoms[i], i)) report_unpaired(slab, bottoms[i]);
+      for (; next < reached.size(); ++next) {
+        for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(reached[next]))) {
           const double a = parameter(part_.mesh.source(h)), b = parameter(part_.mesh.target(h));
           if (std::max(a, b) <= low || std::min(a, b) >= high) continue;
-          const Face g = part_.mesh.face(part_.mesh.opposite(h));
-          if (component.emplace(g, i).second) stack.push_back(g);
+          reach(part_.mesh.face(part_.mesh.opposite(h)), i);
         }
       }
     }
     std::vector<Wall_strip> strips(bottoms.size());
     std::vector<bool> paired(bottoms.size(), false);
     for (std::size_t j = 0; j < tops.size(); ++j) {
-      const auto found = component.find(tops[j]);
-      if (found == component.end() || paired[found->second]) report_unpaired(slab, tops[j]);
-      paired[found->second] = true;
-      strips[found->second] = {found->second, j, {}};
+      const std::size_t bottom = bottom_of_[tops[j]];
+      if (bottom == none || paired[bottom]) report_unpaired(slab, tops[j]);
+      paired[bottom] = true;
+      strips[bottom] = {bottom, j, {}};
     }
+    for (Face f : reached) bottom_of_[f] = none;
     for (std::size_t i = 0; i < bottoms.size(); ++i)
       if (!paired[i]) report_unpaired(slab, bottoms[i]);
     return strips;
@@ -273,6 +278,7 @@ class Wall_tracer {
   const Layering& layering_;
   std::vector<std::vector<Face>> faces_of_slab_;
   std::vector<bool> sharp_;
+  std::vector<std::size_t> bottom_of_;  // per face, the loop at the bottom of the slab at hand that it is reached from
 };
 
 }  // namespace internal
