@@ -8,6 +8,7 @@
 #include <CGAL/intersections.h>
 
 #include <map>
+#include <unordered_map>
 
 namespace CCSweep::internal::verification {
 
