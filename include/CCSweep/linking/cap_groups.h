@@ -20,6 +20,7 @@ struct Cap_group {
   std::vector<Patch_index> caps;
   double height = 0;  // mean over the area, along the sweep direction
   bool flat = true;   // all in one plane across the sweep
+  Vec3 middle{}, ahead{};  // means over the area; `ahead` is where the sweep leads
   double least_rise = 0;  // of the curves from here to other groups, where the height follows from them
 };
 
@@ -61,13 +62,18 @@ std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) 
         for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
           const double h = dot(roles.direction, part.coordinates(v));
           sum += h;
+          group.middle = group.middle + (part.area[f] / 3) * part.coordinates(v);
           low = std::min(low, h);
           high = std::max(high, h);
         }
         area += part.area[f];
         group.height += part.area[f] * sum / 3;
+        const double sense = roles.of_patch[p.value()] == Role::source ? 1 : -1;
+        group.ahead = group.ahead + (sense * part.area[f]) * part.normal[f];
       }
     group.height /= area;
+    group.middle = (1 / area) * group.middle;
+    group.ahead = unit(group.ahead);
     group.flat = roles.is_straight() && high - low <= height_resolution(part);
   }
   return groups;

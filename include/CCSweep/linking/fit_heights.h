@@ -4,22 +4,19 @@
 #define CCSWEEP_LINKING_FIT_HEIGHTS_H
 
 #include <CCSweep/linking/cap_groups.h>
+#include <CCSweep/linking/level_ties.h>
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CCSweep::internal {
-
-// A feature curve between linking faces that runs from one group of caps to another.
-struct Rising_curve {
-  int low, high;    // groups
-  double distance;  // along the sweep
-};
 
 template <class Traits>
 std::vector<int> groups_of_vertices(const Part<Traits>& part, const std::vector<int>& group_of_patch) {
@@ -30,8 +27,10 @@ std::vector<int> groups_of_vertices(const Part<Traits>& part, const std::vector<
   return group_of_vertex;
 }
 
+// The feature curves between linking faces.
 template <class Traits>
-std::vector<Rising_curve> rising_curves(const Part<Traits>& part, const Roles& roles, const std::vector<int>& group_of_patch) {
+std::vector<Rising_curve> rising_curves(const Part<Traits>& part, const Roles& roles,
+                                        const std::vector<int>& group_of_patch) {
   const auto& mesh = part.mesh;
   const std::vector<int> group_of_vertex = groups_of_vertices(part, group_of_patch);
   auto is_rising = [&](auto h) {
@@ -76,7 +75,7 @@ std::vector<Rising_curve> rising_paths(const Part<Traits>& part, const Roles& ro
   for (Vertex start : mesh.vertices()) {
     if (group_of_vertex[start] < 0) continue;
     Vertex v = start;
-    double distance = 0;
+    Rising_curve path{group_of_vertex[start], -1, 0, {part.coordinates(start)}, {0}};
     for (std::size_t steps = 0; steps < mesh.number_of_edges(); ++steps) {
       double best = 0.1, rise = 0;
       Vertex next = v;
@@ -94,30 +93,38 @@ std::vector<Rising_curve> rising_paths(const Part<Traits>& part, const Roles& ro
       }
       if (next == v) break;
       v = next;
-      distance += rise;
+      path.distance += rise;
+      path.points.push_back(part.coordinates(v));
+      path.risen.push_back(path.distance);
       if (group_of_vertex[v] >= 0) break;
     }
-    const int g = group_of_vertex[start], k = group_of_vertex[v];
-    if (k >= 0 && g != k) paths.push_back({g, k, distance});
+    path.high = group_of_vertex[v];
+    if (path.high >= 0 && path.low != path.high) paths.push_back(std::move(path));
   }
   return paths;
 }
 
-// The least squares fit of the distances along the curves, each with a weight by its distance, held weakly at the means.
+// The least squares fit of the distances along the curves, each with a weight by its distance, and of what stands beside
+// what, held weakly at the means.
 template <class Weight>
 Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::vector<Rising_curve>& curves,
-                               const Weight& weight_of) {
+                               const std::vector<Level_tie>& ties, const Weight& weight_of) {
   const auto n = static_cast<Eigen::Index>(groups.size());
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  for (const auto& [low, high, distance] : curves) {
-    const double weight = weight_of(distance);
-    m(low, low) += weight;
-    m(high, high) += weight;
-    m(low, high) -= weight;
-    m(high, low) -= weight;
-    right(low) -= weight * distance;
-    right(high) += weight * distance;
+  for (const Rising_curve& c : curves) {
+    const double weight = weight_of(c.distance);
+    m(c.low, c.low) += weight;
+    m(c.high, c.high) += weight;
+    m(c.low, c.high) -= weight;
+    m(c.high, c.low) -= weight;
+    right(c.low) -= weight * c.distance;
+    right(c.high) += weight * c.distance;
+  }
+  for (const auto& [group, low, high, fraction, weight] : ties) {
+    const std::array<std::pair<int, double>, 3> row{{{group, 1}, {low, fraction - 1}, {high, -fraction}}};
+    for (const auto& [i, a] : row)
+      for (const auto& [j, b] : row) m(i, j) += weight * a * b;
   }
   for (Eigen::Index g = 0; g < n; ++g) {
     const Cap_group& group = groups[static_cast<std::size_t>(g)];
@@ -142,12 +149,14 @@ void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_g
   for (const Rising_curve& c : curves)
     for (Cap_group* group : {&groups[c.low], &groups[c.high]})
       group->least_rise = group->least_rise == 0 ? c.distance : std::min(group->least_rise, c.distance);
-  Eigen::VectorXd heights = fitted_heights(groups, curves, [](double) { return 1.0; });
+  std::vector<Level_tie> ties;
+  if (!roles.is_straight()) ties = Level_tie_finder(groups, part.diagonal).run(curves);
+  Eigen::VectorXd heights = fitted_heights(groups, curves, ties, [](double) { return 1.0; });
   // Long curves differ by more, and must not all but take away or reverse the rise of a short one.
   if (std::any_of(curves.begin(), curves.end(), [&](const Rising_curve& c) {
         return heights(c.high) - heights(c.low) < c.distance / 2;
       }))
-    heights = fitted_heights(groups, curves, [&](double distance) {
+    heights = fitted_heights(groups, curves, ties, [&](double distance) {
       return part.diagonal / distance * (part.diagonal / distance);
     });
   for (std::size_t g = 0; g < groups.size(); ++g) groups[g].height = heights(static_cast<Eigen::Index>(g));
