@@ -8,6 +8,7 @@
 #include <CCSweep/linking/Layering.h>
 #include <CCSweep/linking/cap_groups.h>
 #include <CCSweep/linking/fit_heights.h>
+#include <CCSweep/linking/rows_through_vertices.h>
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 
@@ -182,6 +183,18 @@ double turning_between(const Part<Traits>& part, const Roles& roles, const Layer
   return worst;
 }
 
+// The slabs between two levels that the bending of the walls or the user asks for.
+template <class Traits>
+std::size_t slabs_between(const Part<Traits>& part, const Roles& roles, const Layering_options& options,
+                          const Layering& layering, double low, double high) {
+  const double turning = turning_between(part, roles, layering, low, high);
+  const double spanning = options.spanning_angle * 3.14159265358979323846 / 180;
+  const std::size_t slabs = 1 + static_cast<std::size_t>(turning / spanning);
+  // A half, which rounding may have lifted or lowered, counts as lowered.
+  return std::max({slabs, static_cast<std::size_t>(options.slabs),
+                   static_cast<std::size_t>(std::lround((high - low) / options.spacing - 1e-6))});
+}
+
 // Further rows between the levels, where walls bend or the user asks for them; the counts of sub-volumes and sets do
 // not depend on them.
 template <class Traits>
@@ -190,20 +203,24 @@ void insert_rows(const Part<Traits>& part, const Roles& roles, const Layering_op
   const std::vector<double> levels = layering.layers;
   layering.layers.clear();
   layering.level_of_layer.clear();
+  const auto add_row = [&](double value) {
+    layering.layers.push_back(value);
+    layering.level_of_layer.push_back(Level_index());
+  };
   for (std::size_t i = 0; i < levels.size(); ++i) {
     layering.layers.push_back(levels[i]);
     layering.level_of_layer.push_back(Level_index(i));
     if (i + 1 == levels.size()) break;
     const double gap = levels[i + 1] - levels[i];
-    const double turning = turning_between(part, roles, layering, levels[i], levels[i + 1]);
-    const double spanning = options.spanning_angle * 3.14159265358979323846 / 180;
-    std::size_t slabs = 1 + static_cast<std::size_t>(turning / spanning);
-    // A half, which rounding may have lifted or lowered, counts as lowered.
-    slabs = std::max({slabs, static_cast<std::size_t>(options.slabs),
-                      static_cast<std::size_t>(std::lround(gap / options.spacing - 1e-6))});
-    for (std::size_t k = 1; k < slabs; ++k) {
-      layering.layers.push_back(levels[i] + gap * double(k) / double(slabs));
-      layering.level_of_layer.push_back(Level_index());
+    const std::size_t slabs = slabs_between(part, roles, options, layering, levels[i], levels[i + 1]);
+    std::vector<double> stops{levels[i]};
+    if (options.through_vertices)
+      stops = rows_through_vertices(part, roles, levels[i], levels[i + 1], gap / double(slabs), layering.parameter);
+    for (std::size_t s = 0; s < stops.size(); ++s) {
+      if (s > 0) add_row(stops[s]);
+      const double between = (s + 1 < stops.size() ? stops[s + 1] : levels[i + 1]) - stops[s];
+      const double parts = std::max(1., std::ceil(between / gap * double(slabs) - 0.1));
+      for (double k = 1; k < parts; ++k) add_row(stops[s] + between * k / parts);
     }
   }
 }
