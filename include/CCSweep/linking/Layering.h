@@ -31,9 +31,10 @@ struct Layering_options {
   /// between layers and would leave a bend that turns so far.
   double spanning_angle = 7.5;
   int slabs = 1;  ///< the least number of slabs between two levels
-  bool through_vertices = false;  ///< rows pass through the vertices of the linking faces, where these are not too dense
   /// How far the sweep parameter may grow between two layers, to the nearest whole number of slabs.
   double spacing = std::numeric_limits<double>::infinity();
+  /// Rows pass through vertices of the linking faces as well, where these are not too dense.
+  bool through_vertices = false;
 };
 
 }  // namespace CCSweep

@@ -104,8 +104,8 @@ std::vector<Rising_curve> rising_paths(const Part<Traits>& part, const Roles& ro
   return paths;
 }
 
-// The least squares fit of the distances along the curves, each with a weight by its distance, and of what stands beside
-// what, held weakly at the means.
+// The least squares fit of the distances along the curves, each with a weight by its distance, and of what stands
+// beside what, held weakly at the means.
 template <class Weight>
 Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::vector<Rising_curve>& curves,
                                const std::vector<Level_tie>& ties, const Weight& weight_of) {
@@ -121,10 +121,11 @@ Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::
     right(c.low) -= weight * c.distance;
     right(c.high) += weight * c.distance;
   }
-  for (const auto& [group, low, high, fraction, weight] : ties) {
-    const std::array<std::pair<int, double>, 3> row{{{group, 1}, {low, fraction - 1}, {high, -fraction}}};
+  for (const Level_tie& tie : ties) {
+    const std::array<std::pair<int, double>, 3> row{
+        {{tie.group, 1}, {tie.low, tie.fraction - 1}, {tie.high, -tie.fraction}}};
     for (const auto& [i, a] : row)
-      for (const auto& [j, b] : row) m(i, j) += weight * a * b;
+      for (const auto& [j, b] : row) m(i, j) += tie.weight * a * b;
   }
   for (Eigen::Index g = 0; g < n; ++g) {
     const Cap_group& group = groups[static_cast<std::size_t>(g)];
@@ -137,7 +138,7 @@ Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::
 
 // Bent groups have no one height. The curves that run up the linking faces from one group to another tell how far
 // apart they are: the heights become the least squares fit of these distances, held weakly at the means, which also
-// places the groups that no curve ties.
+// places the groups that no curve ties. Of a sweep that bends, the fit also heeds which caps stand beside which curves.
 template <class Traits>
 void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_group>& groups) {
   if (std::all_of(groups.begin(), groups.end(), [](const Cap_group& g) { return g.flat; })) return;
