@@ -238,9 +238,11 @@ inline void check_options(const Layering_options& options) {
 ///
 /// Between flat caps across a straight sweep the parameter is the height; otherwise it is harmonic on the linking
 /// faces with one value on each group of connected caps. A cap's level is the rank of its parameter among all caps,
-/// so blind pockets and leg tips, which no wall ties to the caps around them, have one as well.
+/// so blind pockets and leg tips, which no wall ties to the caps around them, have one as well; of a sweep that bends,
+/// the planes of the caps say which of them stand beside one another.
 /// \return `inconsistent_levels` naming the patches where caps contradict each other.
-/// Complexity: O(n log n); the harmonic case solves one sparse system.
+/// Complexity: O(n log n); the harmonic case solves one sparse system. For a sweep that bends, also linear in the paths
+/// up the linking faces for each group of caps.
 template <class Traits>
 Result<Layering> make_layering(const Part<Traits>& part, const Roles& roles, const Layering_options& options) {
   return internal::guarded([&] {
