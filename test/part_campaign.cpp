@@ -167,13 +167,20 @@ BOOST_AUTO_TEST_CASE(parts_that_failed) {
            Trial{Shape::saddle, 9, 0},   // levels all but on top of each other
            Trial{Shape::slanted, 5, 1},  // a low step beside long walls whose lengths differ by more
            Trial{Shape::fan, 0, 3},      // bent so little that it passes for straight
+           Trial{Shape::faceted, 6, 0},  // upright walls whose facets all lean inward
+           Trial{Shape::barrel, 1, 2},   // corners of walls that bend between two layers
+           Trial{Shape::fan, 6, 1},      // caps beside one another, at distances that the fan makes differ
+           Trial{Shape::twisted, 9, 0},  // cuts along walls that bend between two layers
+           Trial{Shape::slanted, 9, 32},  // no cap across the sweep, but upright walls
        })
     BOOST_TEST_CONTEXT(t.name()) {
       const Swept_part swept = make(t.shape, random_parts::all_families[t.family], t.seed);
       const Mesh mesh = random_parts::mesh<Kernel::Point_3>(swept.part);
       const Outcome outcome = run(swept, mesh);
       expect_ok(outcome);
-      if (outcome.ok()) BOOST_TEST(defect(t, swept, mesh, outcome.value()) == "");
+      if (!outcome.ok()) continue;
+      BOOST_TEST(defect(t, swept, mesh, outcome.value()) == "");
+      if (has_known_sets(t.shape)) BOOST_TEST(outcome.value().sets.size() == swept.part.sets);
     }
 }
 

@@ -41,7 +41,7 @@ template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 class Decomposer {
   using Point_3 = typename Traits::Point_3;
   using Result_type = Decomposition<Point_3>;
-  static constexpr int refinements = 2;
+  static constexpr int refinements = 3;
 
  public:
   Decomposer(const Part<Traits>& part, const Options& options, Visitor& visitor, Stage_runner<Visitor>& run)
@@ -111,7 +111,8 @@ class Decomposer {
     return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) + ")";
   }
 
-  // A result that fails is never returned; the layering is refined and tried again, boundedly.
+  // A result that fails is never returned; the layering is refined and tried again, boundedly: first by rows that pass
+  // through the vertices of the linking faces, then by more rows.
   Result<Result_type> attempt_refined(const Roles& roles) {
     std::optional<Status> failure;
     for (int refinement = 0; refinement <= refinements; ++refinement) {
@@ -123,14 +124,18 @@ class Decomposer {
       });
       if (attempt) return attempt;
       if (!failure) failure = attempt.status();
-      if (!may_help_to_refine(attempt.status().code)) break;
+      if (!may_help_to_refine(failure->code, refinement)) break;
     }
     return *failure;
   }
 
-  static bool may_help_to_refine(Status_code code) {
+  // Levels that seem to contradict each other and cuts that miss the walls may do so for the facets of walls that bend
+  // between two layers, which more rows alone rarely mend.
+  static bool may_help_to_refine(Status_code code, int refinement) {
     return code == Status_code::projection_folded || code == Status_code::imprint_failed ||
-           code == Status_code::verification_failed;
+           code == Status_code::verification_failed ||
+           (refinement == 0 && (code == Status_code::inconsistent_levels || code == Status_code::cut_failed ||
+                                code == Status_code::sub_volume_not_closed));
   }
 
   Result<bool> verified(const Result_type& result) const {

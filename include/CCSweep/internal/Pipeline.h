@@ -58,7 +58,8 @@ class Pipeline {
 
   Decomposition<Point_3> operator()(const Roles& roles, int refinement) {
     Layering_options layers = options_.layering;
-    layers.slabs *= 1 << refinement;
+    layers.through_vertices = refinement == 1;
+    if (refinement > 1) layers.slabs *= 1 << (refinement - 1);
     const double tolerance = options_.tolerance * part_.diagonal;
 
     const Layering layering = run_(Stage::layers, [&] { return make_layering(part_, roles, layers); });

@@ -33,6 +33,8 @@ struct Layering_options {
   int slabs = 1;  ///< the least number of slabs between two levels
   /// How far the sweep parameter may grow between two layers, to the nearest whole number of slabs.
   double spacing = std::numeric_limits<double>::infinity();
+  /// Rows pass through vertices of the linking faces as well, where these are not too dense.
+  bool through_vertices = false;
 };
 
 }  // namespace CCSweep

@@ -4,219 +4,23 @@
 #define CCSWEEP_LINKING_MAKE_LAYERING_H
 
 #include <CCSweep/Status.h>
-#include <CCSweep/internal/Union_find.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/Layering.h>
+#include <CCSweep/linking/cap_groups.h>
+#include <CCSweep/linking/fit_heights.h>
+#include <CCSweep/linking/rows_through_vertices.h>
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace CCSweep {
 namespace internal {
-
-// Caps that touch each other, along a curve or in a point, stand on one level.
-struct Cap_group {
-  std::vector<Patch_index> caps;
-  double height = 0;  // mean over the area, along the sweep direction
-  bool flat = true;   // all in one plane across the sweep
-  double least_rise = 0;  // of the curves from here to other groups, where the height follows from them
-};
-
-// Two heights closer than this are one: what rounding in a rotated or far away part leaves.
-template <class Traits>
-double height_resolution(const Part<Traits>& part) {
-  return 1e-7 * part.diagonal + 1e-14 * part.largest_coordinate;
-}
-
-template <class Traits>
-std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) {
-  const auto& mesh = part.mesh;
-  Union_find sets(part.number_of_patches());
-  auto is_cap = [&](std::size_t p) { return roles.of_patch[p] != Role::linking; };
-  for (auto v : mesh.vertices()) {
-    std::optional<std::size_t> first;
-    for (auto f : mesh.faces_around_target(mesh.halfedge(v))) {
-      const std::size_t p = part.patch(f).value();
-      if (!is_cap(p)) continue;
-      if (first) sets.join(*first, p);
-      first = p;
-    }
-  }
-  std::vector<Cap_group> groups;
-  std::vector<std::size_t> group_of(part.number_of_patches());
-  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
-    if (!is_cap(p)) continue;
-    if (sets.root(p) == p) {
-      group_of[p] = groups.size();
-      groups.emplace_back();
-    }
-    groups[group_of[sets.root(p)]].caps.push_back(Patch_index(p));
-  }
-  for (Cap_group& group : groups) {
-    double area = 0, low = 1e300, high = -1e300;
-    for (Patch_index p : group.caps)
-      for (auto f : part.faces[p.value()]) {
-        double sum = 0;
-        for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-          const double h = dot(roles.direction, part.coordinates(v));
-          sum += h;
-          low = std::min(low, h);
-          high = std::max(high, h);
-        }
-        area += part.area[f];
-        group.height += part.area[f] * sum / 3;
-      }
-    group.height /= area;
-    group.flat = roles.is_straight() && high - low <= height_resolution(part);
-  }
-  return groups;
-}
-
-// A feature curve between linking faces that runs from one group of caps to another.
-struct Rising_curve {
-  int low, high;    // groups
-  double distance;  // along the sweep
-};
-
-template <class Traits>
-std::vector<int> groups_of_vertices(const Part<Traits>& part, const std::vector<int>& group_of_patch) {
-  std::vector<int> group_of_vertex(part.mesh.number_of_vertices(), -1);
-  for (auto f : part.mesh.faces())
-    if (const int g = group_of_patch[part.patch(f).value()]; g >= 0)
-      for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) group_of_vertex[v] = g;
-  return group_of_vertex;
-}
-
-template <class Traits>
-std::vector<Rising_curve> rising_curves(const Part<Traits>& part, const Roles& roles, const std::vector<int>& group_of_patch) {
-  const auto& mesh = part.mesh;
-  const std::vector<int> group_of_vertex = groups_of_vertices(part, group_of_patch);
-  auto is_rising = [&](auto h) {
-    return part.feature[mesh.edge(h)] && roles.of_patch[part.patch(mesh.face(h)).value()] == Role::linking &&
-           roles.of_patch[part.patch(mesh.face(mesh.opposite(h))).value()] == Role::linking;
-  };
-  auto rise = [&](auto h) {
-    return dot(roles.along(mesh.face(h)), part.coordinates(mesh.target(h)) - part.coordinates(mesh.source(h)));
-  };
-  std::vector<Rising_curve> curves;
-  for (auto start : mesh.halfedges()) {
-    if (!is_rising(start) || group_of_vertex[mesh.source(start)] < 0) continue;
-    auto h = start;
-    double distance = rise(h);
-    while (group_of_vertex[mesh.target(h)] < 0) {
-      auto onward = h;
-      int ways = 0;
-      for (auto in : mesh.halfedges_around_target(h))
-        if (in != h && is_rising(in)) {
-          onward = mesh.opposite(in);
-          ++ways;
-        }
-      if (ways != 1) break;
-      h = onward;
-      distance += rise(h);
-    }
-    const int g = group_of_vertex[mesh.source(start)], k = group_of_vertex[mesh.target(h)];
-    if (k >= 0 && g != k && distance > 0) curves.push_back({g, k, distance});
-  }
-  return curves;
-}
-
-// Where walls need not have feature curves: from every cap vertex the path over the linking faces' edges that rises
-// fastest.
-template <class Traits>
-std::vector<Rising_curve> rising_paths(const Part<Traits>& part, const Roles& roles,
-                                       const std::vector<int>& group_of_patch) {
-  using Vertex = typename Part<Traits>::Vertex;
-  const auto& mesh = part.mesh;
-  const std::vector<int> group_of_vertex = groups_of_vertices(part, group_of_patch);
-  std::vector<Rising_curve> paths;
-  for (Vertex start : mesh.vertices()) {
-    if (group_of_vertex[start] < 0) continue;
-    Vertex v = start;
-    double distance = 0;
-    for (std::size_t steps = 0; steps < mesh.number_of_edges(); ++steps) {
-      double best = 0.1, rise = 0;
-      Vertex next = v;
-      for (auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
-        const auto f = mesh.face(h), g = mesh.face(mesh.opposite(h));
-        for (auto side : {f, g}) {
-          if (roles.of_patch[part.patch(side).value()] != Role::linking) continue;
-          const Vec3 step = part.coordinates(mesh.source(h)) - part.coordinates(v);
-          const double slope = dot(roles.along(side), unit(step));
-          if (slope <= best) continue;
-          best = slope;
-          rise = dot(roles.along(side), step);
-          next = mesh.source(h);
-        }
-      }
-      if (next == v) break;
-      v = next;
-      distance += rise;
-      if (group_of_vertex[v] >= 0) break;
-    }
-    const int g = group_of_vertex[start], k = group_of_vertex[v];
-    if (k >= 0 && g != k) paths.push_back({g, k, distance});
-  }
-  return paths;
-}
-
-// The least squares fit of the distances along the curves, each with a weight by its distance, held weakly at the means.
-template <class Weight>
-Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::vector<Rising_curve>& curves,
-                               const Weight& weight_of) {
-  const auto n = static_cast<Eigen::Index>(groups.size());
-  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  for (const auto& [low, high, distance] : curves) {
-    const double weight = weight_of(distance);
-    m(low, low) += weight;
-    m(high, high) += weight;
-    m(low, high) -= weight;
-    m(high, low) -= weight;
-    right(low) -= weight * distance;
-    right(high) += weight * distance;
-  }
-  for (Eigen::Index g = 0; g < n; ++g) {
-    const Cap_group& group = groups[static_cast<std::size_t>(g)];
-    const double weight = group.flat ? 1e-3 : 1e-6;
-    m(g, g) += weight;
-    right(g) += weight * group.height;
-  }
-  return m.ldlt().solve(right);
-}
-
-// Bent groups have no one height. The curves that run up the linking faces from one group to another tell how far
-// apart they are: the heights become the least squares fit of these distances, held weakly at the means, which also
-// places the groups that no curve ties.
-template <class Traits>
-void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_group>& groups) {
-  if (std::all_of(groups.begin(), groups.end(), [](const Cap_group& g) { return g.flat; })) return;
-  std::vector<int> group_of_patch(part.number_of_patches(), -1);
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (Patch_index p : groups[g].caps) group_of_patch[p.value()] = static_cast<int>(g);
-  const auto curves = roles.is_straight() ? rising_curves(part, roles, group_of_patch)
-                                          : rising_paths(part, roles, group_of_patch);
-  for (const Rising_curve& c : curves)
-    for (Cap_group* group : {&groups[c.low], &groups[c.high]})
-      group->least_rise = group->least_rise == 0 ? c.distance : std::min(group->least_rise, c.distance);
-  Eigen::VectorXd heights = fitted_heights(groups, curves, [](double) { return 1.0; });
-  // Long curves differ by more, and must not all but take away or reverse the rise of a short one.
-  if (std::any_of(curves.begin(), curves.end(), [&](const Rising_curve& c) {
-        return heights(c.high) - heights(c.low) < c.distance / 2;
-      }))
-    heights = fitted_heights(groups, curves, [&](double distance) {
-      return part.diagonal / distance * (part.diagonal / distance);
-    });
-  for (std::size_t g = 0; g < groups.size(); ++g) groups[g].height = heights(static_cast<Eigen::Index>(g));
-}
 
 template <class Traits>
 void rank_levels(const Part<Traits>& part, std::vector<Cap_group>& groups, Layering& layering) {
@@ -379,6 +183,18 @@ double turning_between(const Part<Traits>& part, const Roles& roles, const Layer
   return worst;
 }
 
+// The slabs between two levels that the bending of the walls or the user asks for.
+template <class Traits>
+std::size_t slabs_between(const Part<Traits>& part, const Roles& roles, const Layering_options& options,
+                          const Layering& layering, double low, double high) {
+  const double turning = turning_between(part, roles, layering, low, high);
+  const double spanning = options.spanning_angle * 3.14159265358979323846 / 180;
+  const std::size_t slabs = 1 + static_cast<std::size_t>(turning / spanning);
+  // A half, which rounding may have lifted or lowered, counts as lowered.
+  return std::max({slabs, static_cast<std::size_t>(options.slabs),
+                   static_cast<std::size_t>(std::lround((high - low) / options.spacing - 1e-6))});
+}
+
 // Further rows between the levels, where walls bend or the user asks for them; the counts of sub-volumes and sets do
 // not depend on them.
 template <class Traits>
@@ -387,20 +203,24 @@ void insert_rows(const Part<Traits>& part, const Roles& roles, const Layering_op
   const std::vector<double> levels = layering.layers;
   layering.layers.clear();
   layering.level_of_layer.clear();
+  const auto add_row = [&](double value) {
+    layering.layers.push_back(value);
+    layering.level_of_layer.push_back(Level_index());
+  };
   for (std::size_t i = 0; i < levels.size(); ++i) {
     layering.layers.push_back(levels[i]);
     layering.level_of_layer.push_back(Level_index(i));
     if (i + 1 == levels.size()) break;
     const double gap = levels[i + 1] - levels[i];
-    const double turning = turning_between(part, roles, layering, levels[i], levels[i + 1]);
-    const double spanning = options.spanning_angle * 3.14159265358979323846 / 180;
-    std::size_t slabs = 1 + static_cast<std::size_t>(turning / spanning);
-    // A half, which rounding may have lifted or lowered, counts as lowered.
-    slabs = std::max({slabs, static_cast<std::size_t>(options.slabs),
-                      static_cast<std::size_t>(std::lround(gap / options.spacing - 1e-6))});
-    for (std::size_t k = 1; k < slabs; ++k) {
-      layering.layers.push_back(levels[i] + gap * double(k) / double(slabs));
-      layering.level_of_layer.push_back(Level_index());
+    const std::size_t slabs = slabs_between(part, roles, options, layering, levels[i], levels[i + 1]);
+    std::vector<double> stops{levels[i]};
+    if (options.through_vertices)
+      stops = rows_through_vertices(part, roles, levels[i], levels[i + 1], gap / double(slabs), layering.parameter);
+    for (std::size_t s = 0; s < stops.size(); ++s) {
+      if (s > 0) add_row(stops[s]);
+      const double between = (s + 1 < stops.size() ? stops[s + 1] : levels[i + 1]) - stops[s];
+      const double parts = std::max(1., std::ceil(between / gap * double(slabs) - 0.1));
+      for (double k = 1; k < parts; ++k) add_row(stops[s] + between * k / parts);
     }
   }
 }
@@ -418,9 +238,11 @@ inline void check_options(const Layering_options& options) {
 ///
 /// Between flat caps across a straight sweep the parameter is the height; otherwise it is harmonic on the linking
 /// faces with one value on each group of connected caps. A cap's level is the rank of its parameter among all caps,
-/// so blind pockets and leg tips, which no wall ties to the caps around them, have one as well.
+/// so blind pockets and leg tips, which no wall ties to the caps around them, have one as well; of a sweep that bends,
+/// the planes of the caps say which of them stand beside one another.
 /// \return `inconsistent_levels` naming the patches where caps contradict each other.
-/// Complexity: O(n log n); the harmonic case solves one sparse system.
+/// Complexity: O(n log n); the harmonic case solves one sparse system. For a sweep that bends, also linear in the paths
+/// up the linking faces for each group of caps.
 template <class Traits>
 Result<Layering> make_layering(const Part<Traits>& part, const Roles& roles, const Layering_options& options) {
   return internal::guarded([&] {

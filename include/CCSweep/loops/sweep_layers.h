@@ -16,7 +16,9 @@
 #include <CCSweep/part/Roles.h>
 #include <CCSweep/visitor.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -61,8 +63,9 @@ class Layer_sweeper {
   }
 
  private:
-  // The facets of a cylinder lean by a chord error when top and foot have different nodes, but they lean to all sides
-  // alike. A draft shows in their mean, a leaning cylinder in the correlation of lean and facing.
+  // The facets of a cylinder lean by a chord error when top and foot have different nodes, to all sides alike, and all
+  // inward where the top has fewer. A draft shows in their mean, a leaning cylinder in the correlation of lean and
+  // facing.
   bool all_walls_upright() const {
     if (!roles_.is_straight()) return false;
     for (std::size_t p = 0; p < part_.number_of_patches(); ++p) {
@@ -75,10 +78,25 @@ class Layer_sweeper {
         lean += part_.area[f] * c;
         facing = facing + part_.area[f] * c * (part_.normal[f] - c * roles_.direction);
       }
-      const double most = part_.planar[p] ? 1e-9 : 1e-3;
+      const double most = std::max(1e-9, part_.planar[p] ? 0 : lean_of_facets(p));
       if (std::abs(lean) > most * area || norm(facing) > most * area) return false;
     }
     return true;
+  }
+
+  // How much a patch along the sweep may lean as its upper and lower curves have other nodes: by their chord errors
+  // over its height.
+  double lean_of_facets(std::size_t patch) const {
+    const auto& mesh = part_.mesh;
+    double chord_error = 0, low = std::numeric_limits<double>::infinity(), high = -low;
+    for (auto f : part_.faces[patch])
+      for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        const double height = dot(part_.coordinates(mesh.target(h)), roles_.direction);
+        low = std::min(low, height);
+        high = std::max(high, height);
+        chord_error = std::max(chord_error, part_.chord_error[mesh.edge(h)]);
+      }
+    return chord_error / (high - low);
   }
 
   // Across a bent sweep a layer faces where its loops do: along the sum of their pseudo-areas.

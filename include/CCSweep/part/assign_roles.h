@@ -8,6 +8,7 @@
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 #include <CCSweep/part/candidate_axes.h>
+#include <CCSweep/part/upright_axis.h>
 #include <CCSweep/part/walk_roles.h>
 
 #include <algorithm>
@@ -146,6 +147,16 @@ Axis_trial try_axis(const Part<Traits>& part, const Vec3& direction) {
   return trial;
 }
 
+// The same roles along the axis of the walls, where the caps that gave the axis slant.
+template <class Traits>
+Axis_trial along_walls(const Part<Traits>& part, Axis_trial trial) {
+  if (!trial.objections.empty() || has_flat_caps(part, trial.roles)) return trial;
+  const std::optional<Vec3> axis = upright_axis(part, trial.roles);
+  if (!axis) return trial;
+  Axis_trial upright = try_axis(part, *axis);
+  return upright.objections.empty() && upright.roles.of_patch == trial.roles.of_patch ? upright : trial;
+}
+
 template <class Traits>
 std::set<int> ids_with_role(const Part<Traits>& part, const Roles& roles, Role role) {
   std::set<int> ids;
@@ -278,7 +289,9 @@ Result<std::vector<Roles>> assign_roles(const Part<Traits>& part, const Role_req
     check_request(part, request);
     std::vector<Axis_trial> sweepable, refused;
     for (const Vec3& axis : axes_to_try(part, request)) {
-      Axis_trial trial = try_axis(part, axis);
+      Axis_trial trial = along_walls(part, try_axis(part, axis));
+      const auto is_same = [&](const Axis_trial& known) { return known.roles.direction == trial.roles.direction; };
+      if (std::any_of(sweepable.begin(), sweepable.end(), is_same)) continue;
       if (trial.objections.empty()) compare_with_request(part, request, trial);
       (trial.objections.empty() ? sweepable : refused).push_back(std::move(trial));
     }

@@ -69,6 +69,15 @@ class Surface_cutter {
     return true;
   }
 
+  /// Draws a curve from v to w along edges of the part, past the vertices between.
+  void draw_along_edges(Vertex v, Vertex w, const std::vector<Mesh_vertex>& between) {
+    if (v == w || !drawn_.insert(std::minmax(v, w)).second) return;
+    std::vector<Vertex> path{v};
+    for (Mesh_vertex u : between) path.push_back(static_cast<Vertex>(u));
+    path.push_back(w);
+    add_path(std::move(path));
+  }
+
   /// Draws a straight curve inside a planar patch.
   void draw_in_plane(Vertex v, Vertex w, Patch_index patch) {
     if (!drawn_.insert(std::minmax(v, w)).second || is_drawn_by_an_edge(v, w)) return;

@@ -10,6 +10,7 @@
 #include <CCSweep/part/Roles.h>
 #include <CCSweep/volumes/Cut_rows.h>
 #include <CCSweep/volumes/Cut_surface.h>
+#include <CCSweep/volumes/Curve_walk.h>
 #include <CCSweep/volumes/Surface_cutter.h>
 
 #include <string>
@@ -80,6 +81,8 @@ class Cut_drawer {
   // Where a cut meets the linking faces.
   void draw_column(const typename Loops::Wall_column& column) {
     const auto &a = loops_.node(column.bottom), &b = loops_.node(column.top);
+    if (const auto between = Curve_walk<Traits>::between(part_, roles_, a.where, b.where))
+      return cutter_.draw_along_edges(place(column.bottom), place(column.top), *between);
     auto is_on_wall = [&](auto f) { return is_wall(f); };
     const Vec3 normal = unit(normal_at(a.where, is_on_wall) + normal_at(b.where, is_on_wall));
     const bool drawn = cutter_.draw(place(column.bottom), place(column.top), normal, is_on_wall);
