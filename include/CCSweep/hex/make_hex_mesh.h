@@ -82,7 +82,7 @@ class Hex_mesher {
   using Drop = std::function<Vec3(const Vec3&)>;
 
   // Scaled Jacobians: below the one a mesh is tried again, up to the other its nodes are moved.
-  static constexpr double acceptable = 0.1, good = 0.3, small_gain = 0.01, large_gain = 0.05;
+  static constexpr double acceptable = 0.2, good = 0.4, fine = 0.5, small_gain = 0.01, large_gain = 0.05;
   static constexpr std::size_t growth = 4;  // of the number of hexahedra from try to try
 
   // Sub-volumes ascend by the id of their target, as in a decomposition.
@@ -177,7 +177,7 @@ class Hex_mesher {
     const auto drop = [&](Patch_index cap, const Vec3& p) {
       return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up);
     };
-    return Hex_smoother(mesh_, patch_, drop).run(good);
+    return Hex_smoother(mesh_, patch_, drop).run(fine);
   }
 
   Quad_region region_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals,
