@@ -67,6 +67,11 @@ Model load(const std::string& name) {
   return model;
 }
 
+double least_quality(const Hex_mesh& mesh) {
+  const auto quality = CCSweep::scaled_jacobians(mesh);
+  return *std::min_element(quality.begin(), quality.end());
+}
+
 std::vector<std::string> sweepable_models() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(CCSWEEP_TEST_DATA))
@@ -103,8 +108,13 @@ BOOST_AUTO_TEST_CASE(every_model_at_three_sizes) {
     for (int parts : {10, 20, 40})
       BOOST_TEST_CONTEXT(name << " at extent/" << parts) {
         const Model model = load(name);
-        for (const auto& direction : {model.direction, Direction{}})  // as it is known, and as it is chosen
-          expect_sound(mesh(model.part.mesh, direction, model.extent / parts), model.volume, parts == 40 ? 0.01 : 0.03);
+        for (const auto& direction : {model.direction, Direction{}}) {  // as it is known, and as it is chosen
+          const auto found = mesh(model.part.mesh, direction, model.extent / parts);
+          expect_sound(found, model.volume, parts == 40 ? 0.01 : 0.03);
+          // Edges of 6 beside strips of 1 and 0.2 in the one; elsewhere nothing is in the way.
+          const double least = name == "brake_misaligned" && parts == 10 ? 0.1 : parts == 20 ? 0.3 : 0.2;
+          BOOST_TEST(least_quality(found.value()) > least);
+        }
       }
 }
 

@@ -70,7 +70,7 @@ class Hex_mesher {
         if (i == 0 && quality[c] < good)
           make_even(cells_[c], intervals);
         else if (quality[c] < acceptable)
-          refine(c, intervals);
+          refine(c, quality[c] > -2, intervals);
     }
     if (best_quality == -2)
       fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
@@ -114,13 +114,16 @@ class Hex_mesher {
       for (Arc_stack::Half_arc h : loop) intervals.make_even(cell.top, h);
   }
 
-  // Refines the arcs at fault, or all where there is none.
-  void refine(std::size_t c, Arc_intervals& intervals) const {
+  // Refines the arcs at fault, else, of a cell that has a mesh, those at narrow gaps, or all where there is none.
+  void refine(std::size_t c, bool has_mesh, Arc_intervals& intervals) const {
     const Cell& cell = cells_[c];
     std::vector<Arc_stack::Half_arc> halves;
     for (const Cell::Loop& loop : cell.loops[0]) halves.insert(halves.end(), loop.begin(), loop.end());
     std::set<std::size_t> faults;
-    for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(arcs_too_coarse(edges_of(c, k, intervals)));
+    for (const auto& find : {arcs_too_coarse, arcs_at_gaps}) {
+      for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(find(edges_of(c, k, intervals)));
+      if (!faults.empty() || !has_mesh) break;
+    }
     for (std::size_t i = 0; i < halves.size(); ++i)
       if (faults.empty() || faults.count(i) > 0) intervals.refine(cell.top, halves[i]);
   }
