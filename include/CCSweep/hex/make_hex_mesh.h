@@ -299,7 +299,7 @@ class Hex_mesher {
 inline void certify(const Hex_mesh& mesh) {
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
     const Hex_corners corners = corners_of(mesh, h);
-    if (scaled_jacobian(corners) > 0 && is_positive(corners)) continue;
+    if (is_positive(corners)) continue;
     const int target = mesh.targets[mesh.volume[h]];
     Vec3 middle{};
     for (const Vec3& p : corners) middle = middle + 0.125 * p;

@@ -35,14 +35,6 @@ class Hex_smoother {
         place_[n] = agrees && mesh.boundary[q].role != Role::linking ? Place::on_cap : Place::fixed;
         cap_[n] = patch[q];
       }
-    first_.assign(mesh.points.size() + 1, 0);
-    for (const auto& hex : mesh.hexes)
-      for (std::uint32_t n : hex) ++first_[n + 1];
-    for (std::size_t n = 0; n < mesh.points.size(); ++n) first_[n + 1] += first_[n];
-    around_.resize(8 * mesh.hexes.size());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t h = 0; h < mesh.hexes.size(); ++h)
-      for (std::uint32_t n : mesh.hexes[h]) around_[next[n]++] = h;
   }
 
   /// Works on hexahedra of less than a quality.
@@ -50,6 +42,8 @@ class Hex_smoother {
   std::vector<double> run(double good) {
     good_ = good;
     quality_ = scaled_jacobians(mesh_);
+    if (std::all_of(quality_.begin(), quality_.end(), [&](double q) { return q >= good; })) return std::move(quality_);
+    find_hexes_around();
     for (Aim aim : {Aim::all_better, Aim::worst_better}) {
       constexpr int rounds = 12;
       aim_ = aim;
@@ -67,6 +61,17 @@ class Hex_smoother {
   // What a node's move is for: that all bad corners around it get better in sum, which varies smoothly and so leads
   // out of where no single move helps the worst; or that the worst one does.
   enum class Aim { all_better, worst_better };
+
+  void find_hexes_around() {
+    first_.assign(mesh_.points.size() + 1, 0);
+    for (const auto& hex : mesh_.hexes)
+      for (std::uint32_t n : hex) ++first_[n + 1];
+    for (std::size_t n = 0; n < mesh_.points.size(); ++n) first_[n + 1] += first_[n];
+    around_.resize(8 * mesh_.hexes.size());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t h = 0; h < mesh_.hexes.size(); ++h)
+      for (std::uint32_t n : mesh_.hexes[h]) around_[next[n]++] = h;
+  }
 
   // One round over the bad hexahedra, the worst first.
   bool improve() {
