@@ -5,9 +5,17 @@
 
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/quality.h>
+#include <CCSweep/hex_mesh.h>
+#include <CCSweep/parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -84,6 +92,34 @@ inline std::string defects(const Hex_mesh& mesh) {
       break;
     }
   return found;
+}
+
+/// The volume within a closed triangle mesh.
+template <class Mesh>
+double volume_within(const Mesh& mesh) {
+  const auto& apex = mesh.point(*mesh.vertices().begin());
+  double sum = 0;
+  for (auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    sum += CGAL::to_double(CGAL::volume(apex, mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                        mesh.point(mesh.target(mesh.next(h)))));
+  }
+  return sum;
+}
+
+/// Meshes a part with the face property `f:patch_id`; the direction of nothing lets the part choose its own.
+template <class Mesh>
+CCSweep::Result<Hex_mesh> mesh(const Mesh& part, const std::array<double, 3>& direction, double size) {
+  const auto patch = part.template property_map<typename Mesh::Face_index, int>("f:patch_id").first;
+  return CCSweep::hex_mesh(part, CCSweep::parameters::direction(direction).size(size).face_patch_map(patch));
+}
+
+/// Expects a mesh without defects, the volume of which is right but for a share.
+inline void expect_sound(const CCSweep::Result<Hex_mesh>& result, double volume_expected, double share) {
+  BOOST_TEST(result.ok(), name(result.status().code) << ": " << result.status().reason);
+  if (!result.ok()) return;
+  BOOST_TEST(defects(result.value()) == "");
+  BOOST_TEST(std::abs(volume(result.value()) - volume_expected) < share * volume_expected);
 }
 
 }  // namespace hex_checks

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hexahedral meshes of the models and of random parts: what must hold for each of them.
+// Hexahedral meshes of the models, the sizes and policies that make them, and the files they are written to.
 #include <CCSweep/IO/read_part.h>
 #include <CCSweep/IO/write_hex_mesh.h>
 #include <CCSweep/IO/write_inp.h>
@@ -32,7 +32,6 @@
 #include <vector>
 
 #include "hex_checks.h"
-#include "random_parts.h"
 
 namespace {
 
@@ -40,6 +39,8 @@ namespace fs = std::filesystem;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using CCSweep::Hex_mesh;
+using hex_checks::expect_sound;
+using hex_checks::mesh;
 using CCSweep::Status_code;
 using Direction = std::array<double, 3>;
 
@@ -48,17 +49,6 @@ struct Model {
   Direction direction{};
   double extent = 0, volume = 0;
 };
-
-double volume_of(const Mesh& mesh) {
-  const auto& apex = mesh.point(*mesh.vertices().begin());
-  double sum = 0;
-  for (auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    sum += CGAL::volume(apex, mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                        mesh.point(mesh.target(mesh.next(h))));
-  }
-  return sum;
-}
 
 Model load(const std::string& name) {
   const std::string path = std::string(CCSWEEP_TEST_DATA "/") + name;
@@ -73,8 +63,13 @@ Model load(const std::string& name) {
     }
     model.extent = std::max(model.extent, high - low);
   }
-  model.volume = volume_of(mesh);
+  model.volume = hex_checks::volume_within(mesh);
   return model;
+}
+
+double least_quality(const Hex_mesh& mesh) {
+  const auto quality = CCSweep::scaled_jacobians(mesh);
+  return *std::min_element(quality.begin(), quality.end());
 }
 
 std::vector<std::string> sweepable_models() {
@@ -85,27 +80,6 @@ std::vector<std::string> sweepable_models() {
       names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-CCSweep::Result<Hex_mesh> mesh(const Mesh& part, const Direction& direction, double size) {
-  const auto patch = part.property_map<Mesh::Face_index, int>("f:patch_id").first;
-  return CCSweep::hex_mesh(part, CCSweep::parameters::direction(direction).size(size).face_patch_map(patch));
-}
-
-void expect_sound(const CCSweep::Result<Hex_mesh>& result, double volume, double share) {
-  BOOST_TEST(result.ok(), name(result.status().code) << ": " << result.status().reason);
-  if (!result.ok()) return;
-  BOOST_TEST(hex_checks::defects(result.value()) == "");
-  BOOST_TEST(std::abs(hex_checks::volume(result.value()) - volume) < share * volume);
-}
-
-void expect_family_meshed(random_parts::Family family) {
-  constexpr std::uint32_t seeds = 10;
-  for (std::uint32_t seed = 0; seed < seeds; ++seed)
-    BOOST_TEST_CONTEXT("family " << static_cast<int>(family) << " seed " << seed) {
-      const auto part = random_parts::make(family, seed);
-      expect_sound(mesh(random_parts::mesh<Kernel::Point_3>(part), {0, 0, 1}, 2), part.volume, 0.03);
-    }
 }
 
 Hex_mesh small_mesh() {
@@ -134,8 +108,13 @@ BOOST_AUTO_TEST_CASE(every_model_at_three_sizes) {
     for (int parts : {10, 20, 40})
       BOOST_TEST_CONTEXT(name << " at extent/" << parts) {
         const Model model = load(name);
-        for (const auto& direction : {model.direction, Direction{}})  // as it is known, and as it is chosen
-          expect_sound(mesh(model.part.mesh, direction, model.extent / parts), model.volume, parts == 40 ? 0.01 : 0.03);
+        for (const auto& direction : {model.direction, Direction{}}) {  // as it is known, and as it is chosen
+          const auto found = mesh(model.part.mesh, direction, model.extent / parts);
+          expect_sound(found, model.volume, parts == 40 ? 0.01 : 0.03);
+          // Edges of 6 beside strips of 1 and 0.2 in the one; elsewhere nothing is in the way.
+          const double least = name == "brake_misaligned" && parts == 10 ? 0.1 : parts == 20 ? 0.3 : 0.2;
+          BOOST_TEST(least_quality(found.value()) > least);
+        }
       }
 }
 
@@ -170,14 +149,6 @@ BOOST_AUTO_TEST_CASE(bad_sizes_are_refused) {
     BOOST_TEST(
         (mesh(model.part.mesh, model.direction, size).status().code == Status_code::invalid_parameter));
 }
-
-BOOST_AUTO_TEST_CASE(grids) { expect_family_meshed(random_parts::Family::grids); }
-BOOST_AUTO_TEST_CASE(barrels) { expect_family_meshed(random_parts::Family::barrels); }
-BOOST_AUTO_TEST_CASE(polygons) { expect_family_meshed(random_parts::Family::polygons); }
-BOOST_AUTO_TEST_CASE(circles) { expect_family_meshed(random_parts::Family::circles); }
-BOOST_AUTO_TEST_CASE(mixed) { expect_family_meshed(random_parts::Family::mixed); }
-BOOST_AUTO_TEST_CASE(split) { expect_family_meshed(random_parts::Family::split); }
-BOOST_AUTO_TEST_CASE(windows) { expect_family_meshed(random_parts::Family::windows); }
 
 BOOST_AUTO_TEST_CASE(quality_of_a_brick_and_of_a_folded_one) {
   CCSweep::Hex_corners brick{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 3}, {2, 0, 3}, {2, 1, 3}, {0, 1, 3}}};

@@ -7,7 +7,7 @@
 /// Checked at compile time by `CCSweep::QuadMesher`.
 ///
 /// Models: `CCSweep::Best_quads` (the default), `CCSweep::Structured_quads`, `CCSweep::Matched_quads`,
-/// `CCSweep::Subdivided_quads`.
+/// `CCSweep::Subdivided_quads`, and where Gmsh's library is linked, `CCSweep::Gmsh_quads`.
 class QuadMesher {
  public:
   /// Quads that cover a region, counter-clockwise. The nodes on the region's loops come first, in their order, and no

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,13 +32,19 @@ class Junctions {
     for (std::size_t k = 0; k < stack_.layers.size(); ++k) {
       for (const auto& s : stack_.layers[k].segments)
         for (Node n : {s.a, s.b})
-          if (incident_[n].size() != 2 || stack_.corner[n]) mark(k, n);
+          if (incident_[n].size() != 2) mark(k, n);
       for (const auto& ring : stack_.layers[k].rings)
         for (const auto& rail : ring.rails) {
           mark(k, ring.bottom[rail.bottom]);
           mark(k + 1, ring.top[rail.top]);
         }
     }
+    // Where a column has met a wall, and the imprint has moved what it carries to a node of the wall near by, that is
+    // one place.
+    for (std::size_t k = 0; k < stack_.layers.size(); ++k)
+      for (const auto& s : stack_.layers[k].segments)
+        for (Node n : {s.a, s.b})
+          if (stack_.corner[n] && !is_junction_[n] && !near(k, places(k, n)[0], reach(k, places(k, n)[0]))) mark(k, n);
     spread();
     for (std::size_t k = 0; k < stack_.layers.size(); ++k) seed_closed_curves(k);
   }
@@ -59,7 +66,7 @@ class Junctions {
 
   /// The junction at a place, which must have been made.
   Node at(std::size_t layer, const Segment_place& p) const {
-    if (const auto found = near(layer, p, stack_.tolerance)) return *found;
+    if (const auto found = near(layer, p, reach(layer, p))) return *found;
     const auto& s = stack_.layers[layer].segments[p.segment];
     Node best = p.fraction < 0.5 ? s.a : s.b;
     double distance = is_junction_[best] ? std::min(p.fraction, 1 - p.fraction) : 2;
@@ -94,9 +101,66 @@ class Junctions {
     for (const Segment_place& p : places(layer, n)) tasks_.push_back({layer, p});
   }
 
+  // How far columns on a wall may miss one another: on a bent one they follow facets, and those of two layers differ by
+  // as much as a chord strays from its arc.
+  double reach(std::size_t layer, const Segment_place& p) const {
+    constexpr int few = 3;
+    double length = 0, longest = 0, turning = 0;
+    for (bool forward : {true, false}) {
+      Step step{p.segment, forward};
+      for (int i = 0; i <= few; ++i) {
+        const double l = norm(vector_of(layer, step));
+        longest = std::max(longest, l);
+        if (i > 0 || forward) length += l;
+        const auto [next, turn] = go_on(layer, step);
+        if (next.segment == step.segment) break;
+        turning += turn;
+        step = next;
+      }
+    }
+    return std::max(stack_.tolerance, turning * longest * longest / (8 * length));
+  }
+
+  // A segment in the one sense or the other.
+  struct Step {
+    std::uint32_t segment;
+    bool forward;
+  };
+
+  Vec3 vector_of(std::size_t layer, const Step& step) const {
+    const auto& s = stack_.layers[layer].segments[step.segment];
+    return step.forward ? stack_.points[s.b] - stack_.points[s.a] : stack_.points[s.a] - stack_.points[s.b];
+  }
+
+  // The segment that goes on straightest, and the turn into it; the same one again where all turn as corners do.
+  std::pair<Step, double> go_on(std::size_t layer, const Step& step) const {
+    constexpr double corner = std::numbers::pi / 6;
+    const auto& segments = stack_.layers[layer].segments;
+    const Node n = step.forward ? segments[step.segment].b : segments[step.segment].a;
+    std::pair<Step, double> best{step, corner};
+    for (const std::uint32_t i : incident_[n]) {
+      if (i == step.segment) continue;
+      const Step next{i, segments[i].a == n};
+      if (const double turn = angle(vector_of(layer, step), vector_of(layer, next)); turn < best.second)
+        best = {next, turn};
+    }
+    return best;
+  }
+
+  // Whether two junctions of neighbouring layers are each the nearest to where the column of the other one arrives.
+  bool are_one_column(const Task& from, std::size_t layer, Node n) const {
+    const auto origin = near(from.layer, from.place, stack_.tolerance);
+    const bool up = layer > from.layer;
+    for (const Segment_place& p : places(layer, n))
+      for (const auto& back : up ? slabs_[from.layer].below(p) : slabs_[layer].above(p))
+        if (near(from.layer, back.place, reach(from.layer, back.place)) == origin) return true;
+    return false;
+  }
+
   // Columns up and down a wall do not come back to the very same place; what is closer than the tolerance is one.
-  void add(std::size_t layer, const Segment_place& p) {
+  void add(const Task& from, std::size_t layer, const Segment_place& p) {
     if (near(layer, p, stack_.tolerance)) return;
+    if (const auto found = near(layer, p, reach(layer, p)); found && are_one_column(from, layer, *found)) return;
     const auto& s = stack_.layers[layer].segments[p.segment];
     const double length = norm(stack_.points[s.b] - stack_.points[s.a]);
     const double close = std::min(stack_.tolerance, length / 3);
@@ -151,9 +215,9 @@ class Junctions {
       const Task task = tasks_.back();
       tasks_.pop_back();
       if (task.layer > 0)
-        for (const auto& p : slabs_[task.layer - 1].below(task.place)) add(task.layer - 1, p.place);
+        for (const auto& p : slabs_[task.layer - 1].below(task.place)) add(task, task.layer - 1, p.place);
       if (task.layer < slabs_.size())
-        for (const auto& p : slabs_[task.layer].above(task.place)) add(task.layer + 1, p.place);
+        for (const auto& p : slabs_[task.layer].above(task.place)) add(task, task.layer + 1, p.place);
     }
   }
 

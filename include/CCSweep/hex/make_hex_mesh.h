@@ -70,7 +70,7 @@ class Hex_mesher {
         if (i == 0 && quality[c] < good)
           make_even(cells_[c], intervals);
         else if (quality[c] < acceptable)
-          refine(c, intervals);
+          refine(c, quality[c] > -2, intervals);
     }
     if (best_quality == -2)
       fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
@@ -82,7 +82,7 @@ class Hex_mesher {
   using Drop = std::function<Vec3(const Vec3&)>;
 
   // Scaled Jacobians: below the one a mesh is tried again, up to the other its nodes are moved.
-  static constexpr double acceptable = 0.1, good = 0.3, small_gain = 0.01, large_gain = 0.05;
+  static constexpr double acceptable = 0.2, good = 0.4, fine = 0.5, small_gain = 0.01, large_gain = 0.05;
   static constexpr std::size_t growth = 4;  // of the number of hexahedra from try to try
 
   // Sub-volumes ascend by the id of their target, as in a decomposition.
@@ -114,13 +114,16 @@ class Hex_mesher {
       for (Arc_stack::Half_arc h : loop) intervals.make_even(cell.top, h);
   }
 
-  // Refines the arcs at fault, or all where there is none.
-  void refine(std::size_t c, Arc_intervals& intervals) const {
+  // Refines the arcs at fault, else, of a cell that has a mesh, those at narrow gaps, or all where there is none.
+  void refine(std::size_t c, bool has_mesh, Arc_intervals& intervals) const {
     const Cell& cell = cells_[c];
     std::vector<Arc_stack::Half_arc> halves;
     for (const Cell::Loop& loop : cell.loops[0]) halves.insert(halves.end(), loop.begin(), loop.end());
     std::set<std::size_t> faults;
-    for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(arcs_too_coarse(edges_of(c, k, intervals)));
+    for (const auto& find : {arcs_too_coarse, arcs_at_gaps}) {
+      for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(find(edges_of(c, k, intervals)));
+      if (!faults.empty() || !has_mesh) break;
+    }
     for (std::size_t i = 0; i < halves.size(); ++i)
       if (faults.empty() || faults.count(i) > 0) intervals.refine(cell.top, halves[i]);
   }
@@ -177,7 +180,7 @@ class Hex_mesher {
     const auto drop = [&](Patch_index cap, const Vec3& p) {
       return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up);
     };
-    return Hex_smoother(mesh_, patch_, drop).run(good);
+    return Hex_smoother(mesh_, patch_, drop).run(fine);
   }
 
   Quad_region region_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals,
@@ -296,7 +299,7 @@ class Hex_mesher {
 inline void certify(const Hex_mesh& mesh) {
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
     const Hex_corners corners = corners_of(mesh, h);
-    if (scaled_jacobian(corners) > 0 && is_positive(corners)) continue;
+    if (is_positive(corners)) continue;
     const int target = mesh.targets[mesh.volume[h]];
     Vec3 middle{};
     for (const Vec3& p : corners) middle = middle + 0.125 * p;

@@ -43,6 +43,26 @@ inline std::set<std::size_t> arcs_too_coarse(const std::vector<Outline_edge>& ed
   return arcs;
 }
 
+/// The arcs whose edges are long beside the gap to another part of the outline: no quad of good shape fits in there.
+/// Complexity: O(n^2), for outlines that are known to be bad.
+inline std::set<std::size_t> arcs_at_gaps(const std::vector<Outline_edge>& edges) {
+  constexpr double narrow = 0.4;
+  const auto distance = [](const Point2& p, const Outline_edge& e) {
+    const Point2 w{e.b[0] - e.a[0], e.b[1] - e.a[1]};
+    const double along = ((p[0] - e.a[0]) * w[0] + (p[1] - e.a[1]) * w[1]) / std::max(squared_length(e.a, e.b), 1e-300);
+    const double t = std::clamp(along, 0.0, 1.0);
+    return length_between(p, {e.a[0] + t * w[0], e.a[1] + t * w[1]});
+  };
+  std::set<std::size_t> arcs;
+  for (const Outline_edge& e : edges)
+    for (const Outline_edge& f : edges) {
+      if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) continue;
+      const double gap = std::min({distance(e.a, f), distance(e.b, f), distance(f.a, e), distance(f.b, e)});
+      if (gap < narrow * length_between(e.a, e.b)) arcs.insert(e.arc);
+    }
+  return arcs;
+}
+
 }  // namespace CCSweep::internal
 
 #endif

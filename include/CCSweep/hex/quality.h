@@ -106,16 +106,23 @@ inline bool is_positive_in(const Hex_corners& p, const std::array<double, 3>& lo
 /// the principal axes, each over the product of the lengths. 1 for a brick, not positive where the hexahedron folds.
 inline double scaled_jacobian(const Hex_corners& p) {
   using namespace internal;
-  double worst = 1;
-  for (int i = 0; i < 8; ++i) {
-    const auto& n = hex_neighbours[i];
-    worst = std::min(worst, scaled_determinant(p[n[0]] - p[i], p[n[1]] - p[i], p[n[2]] - p[i]));
-  }
-  const auto axis = [&](int a, int b, int c, int d, int e, int f, int g, int h) {
-    return (p[a] + p[b] + p[c] + p[d]) - (p[e] + p[f] + p[g] + p[h]);
-  };
-  return std::min(worst, scaled_determinant(axis(1, 2, 5, 6, 0, 3, 4, 7), axis(2, 3, 6, 7, 0, 1, 4, 5),
-                                            axis(4, 5, 6, 7, 0, 1, 2, 3)));
+  // The edges along the three axes, and one over their lengths; each meets two corners.
+  constexpr int ends[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
+                                 {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  constexpr int edges_at[8][3] = {{0, 0, 0}, {0, 1, 1}, {1, 1, 2}, {1, 0, 3}, {2, 2, 0}, {2, 3, 1}, {3, 3, 2}, {3, 2, 3}};
+  Vec3 unit_edge[3][4], axis[3] = {};
+  for (int k = 0; k < 3; ++k)
+    for (int e = 0; e < 4; ++e) {
+      const Vec3 w = p[ends[k][e][1]] - p[ends[k][e][0]];
+      const double length = norm(w);
+      if (!(length > 0)) return -1;
+      axis[k] = axis[k] + w;
+      unit_edge[k][e] = (1 / length) * w;
+    }
+  double worst = std::min(1.0, scaled_determinant(axis[0], axis[1], axis[2]));
+  for (const auto& [u, v, w] : edges_at)
+    worst = std::min(worst, dot(unit_edge[0][u], cross(unit_edge[1][v], unit_edge[2][w])));
+  return worst;
 }
 
 /// The scaled Jacobian of each hexahedron. Complexity: linear.
