@@ -10,6 +10,8 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <iterator>
+
 namespace CCSweep::internal::verification {
 
 /// A directed edge between two points, by its smaller point first.
@@ -37,9 +39,42 @@ inline std::vector<Edge> boundary_of(const std::vector<Triple>& triangles) {
   return boundary;
 }
 
+/// A surface's triangles by their corners.
+class Known_triangles {
+ public:
+  explicit Known_triangles(const Surface& surface, std::size_t number_of_points)
+      : surface_(surface), first_(number_of_points + 1, 0), triangles_(surface.points.size()) {
+    for (const Triple& p : surface.points) ++first_[lowest(p) + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    std::vector<std::uint32_t> place(first_.begin(), first_.end() - 1);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangles_[place[lowest(surface.points[t])]++] = t;
+  }
+
+  /// The triangle of a patch with these corners in this order, wherever it begins.
+  std::optional<std::uint32_t> find(const Triple& p, int patch) const {
+    const std::uint32_t corner = lowest(p);
+    for (std::uint32_t i = first_[corner]; i < first_[corner + 1]; ++i) {
+      const std::uint32_t t = triangles_[i];
+      if (surface_.patch[t] == patch && rotated(surface_.points[t]) == rotated(p)) return t;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static std::uint32_t lowest(const Triple& p) { return *std::min_element(p.begin(), p.end()); }
+  static Triple rotated(Triple p) {
+    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+    return p;
+  }
+
+  const Surface& surface_;
+  std::vector<std::uint32_t> first_, triangles_;  ///< by the lowest corner
+};
+
 /// The outer triangles against the input: each lies on the patch it names, turned the same way, and each connected
 /// piece of a patch keeps its area. As the outer triangles close (see `check_curves()`) and none is turned over,
-/// they cover a piece the same number of times everywhere; by its area, once.
+/// they cover a piece the same number of times everywhere; by its area, once. Most triangles are those of the input and
+/// need no look.
 ///
 /// On a flat patch it is enough that the triangles lie in its plane and their boundary on its boundary. That saves
 /// the search among the long thin facets of a flat patch, which is slow.
@@ -56,7 +91,8 @@ class Coverage {
   struct Patch {
     int id = -1;
     std::vector<std::uint32_t> facets;  ///< of the input
-    std::vector<Triple> outer;          ///< triangles of the sub-volumes that carry its id
+    std::vector<Triple> outer;          ///< triangles of the sub-volumes that carry its id and are none of the input
+    bool is_flat = false;
     Place normal{}, middle{};           ///< unit normal and a point of its plane, if it is flat
   };
 
@@ -66,6 +102,7 @@ class Coverage {
         frame_(direction),
         tolerance_(1e-9 * scene.diagonal + 1e-14 * scene.extent),
         pieces_(scene.input.points.size()),
+        is_kept_(scene.input.points.size(), false),
         covered_(scene.input.points.size()) {
     const Surface& input = scene.input;
     for (std::uint32_t h = 0; h < input.opposite.size(); ++h)
@@ -75,20 +112,34 @@ class Coverage {
   void check() {
     std::map<int, Patch> patches;
     for (std::uint32_t t = 0; t < scene_.input.patch.size(); ++t) patches[scene_.input.patch[t]].facets.push_back(t);
-    for (const Surface& volume : scene_.volumes)
-      for (std::size_t t = 0; t < volume.patch.size(); ++t)
-        if (scene_.is_input_patch(volume.patch[t])) patches[volume.patch[t]].outer.push_back(volume.points[t]);
     for (auto& [id, patch] : patches) {
       patch.id = id;
-      if (is_flat(patch))
-        check_flat(patch);
-      else
-        check_curved(patch);
+      patch.is_flat = is_flat(patch);
+      if (!patch.is_flat) continue;
+      for (std::uint32_t t : patch.facets) pieces_.unite(patch.facets.front(), t);
     }
+    distribute(patches);
+    for (const auto& [id, patch] : patches)
+      if (!patch.outer.empty()) patch.is_flat ? check_flat(patch) : check_curved(patch);
     check_areas();
   }
 
  private:
+  void distribute(std::map<int, Patch>& patches) {
+    const Known_triangles known(scene_.input, scene_.points.size());
+    for (const Surface& volume : scene_.volumes)
+      for (std::size_t t = 0; t < volume.patch.size(); ++t) {
+        if (!scene_.is_input_patch(volume.patch[t])) continue;
+        const Triple& p = volume.points[t];
+        if (const auto kept = known.find(p, volume.patch[t])) {
+          is_kept_[*kept] = true;
+          covered_[pieces_.find(*kept)] += length(vector_area(scene_, p));
+        } else {
+          patches[volume.patch[t]].outer.push_back(p);
+        }
+      }
+  }
+
   /// Finds the plane of a patch. None of its facets may be turned over in it.
   bool is_flat(Patch& patch) const {
     Place sum{};
@@ -111,8 +162,16 @@ class Coverage {
     return std::abs(dot(patch.normal, minus(scene_.near[v], patch.middle))) <= tolerance_;
   }
 
+  /// Where the triangles that are none of the input have to lie.
+  std::vector<std::uint32_t> replaced_facets(const Patch& patch) const {
+    std::vector<std::uint32_t> result;
+    std::copy_if(patch.facets.begin(), patch.facets.end(), std::back_inserter(result),
+                 [this](std::uint32_t t) { return !is_kept_[t]; });
+    if (result.empty()) refuse_off(patch, scene_.place(patch.outer.front()));
+    return result;
+  }
+
   void check_flat(const Patch& patch) {
-    for (std::uint32_t t : patch.facets) pieces_.unite(patch.facets.front(), t);
     double& covered = covered_[pieces_.find(patch.facets.front())];
     for (const Triple& p : patch.outer) {
       for (std::uint32_t v : p)
@@ -121,7 +180,7 @@ class Coverage {
       covered += length(vector_area(scene_, p));
     }
     std::vector<Triple> facets;
-    for (std::uint32_t t : patch.facets) facets.push_back(scene_.input.points[t]);
+    for (std::uint32_t t : replaced_facets(patch)) facets.push_back(scene_.input.points[t]);
     const std::vector<Edge> before = boundary_of(facets), after = boundary_of(patch.outer);
     Segments segments;
     for (const Edge& e : before) segments.emplace_back(at(e.low), at(e.high));
@@ -134,26 +193,19 @@ class Coverage {
   }
 
   void check_curved(const Patch& patch) {
+    const std::vector<std::uint32_t> facets = replaced_facets(patch);
     Triangles triangles;
-    std::vector<std::pair<Triple, std::uint32_t>> kept;  // input facets may be found again as they were
     std::vector<std::uint32_t> known, used;
-    for (std::uint32_t t : patch.facets) {
+    for (std::uint32_t t : facets) {
       const Triple& p = scene_.input.points[t];
       triangles.emplace_back(at(p[0]), at(p[1]), at(p[2]));
-      kept.emplace_back(rotated(p), t);
       known.insert(known.end(), p.begin(), p.end());
     }
-    std::sort(kept.begin(), kept.end());
     const Triangle_tree tree(triangles.cbegin(), triangles.cend());
     for (const Triple& p : patch.outer) {
-      auto same = std::lower_bound(kept.begin(), kept.end(), std::pair(rotated(p), 0u));
-      const bool is_kept = same != kept.end() && same->first == rotated(p);
-      const std::uint32_t facet =
-          is_kept ? same->second : patch.facets[facet_under(patch, p, tree) - triangles.cbegin()];
-      if (!is_kept) {
-        used.insert(used.end(), p.begin(), p.end());
-        check_side(patch, p, vector_area(scene_, scene_.input.points[facet]));
-      }
+      const std::uint32_t facet = facets[facet_under(patch, p, tree) - triangles.cbegin()];
+      used.insert(used.end(), p.begin(), p.end());
+      check_side(patch, p, vector_area(scene_, scene_.input.points[facet]));
       covered_[pieces_.find(facet)] += length(vector_area(scene_, p));
     }
     tidy(known);
@@ -213,15 +265,11 @@ class Coverage {
     values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 
-  static Triple rotated(Triple p) {
-    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
-    return p;
-  }
-
   const Scene<Kernel>& scene_;
   Sweep_frame frame_;
   double tolerance_;
   Groups pieces_;
+  std::vector<char> is_kept_;    ///< of the input's facets
   std::vector<double> covered_;  ///< area by the leading facet of a piece
 };
 

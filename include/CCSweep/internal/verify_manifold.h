@@ -28,11 +28,18 @@ void check_triangles(const Scene<Kernel>& scene, const Surface& surface) {
 class Outgoing_halfedges {
  public:
   explicit Outgoing_halfedges(const Surface& surface)
-      : surface_(surface), first_(surface.number_of_vertices + 1, 0), halfedges_(3 * surface.vertices.size()) {
+      : surface_(surface),
+        first_(surface.number_of_vertices + 1, 0),
+        halfedges_(3 * surface.vertices.size()),
+        targets_(halfedges_.size()) {
     for (std::uint32_t h = 0; h < halfedges_.size(); ++h) ++first_[source(h) + 1];
     for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
     std::vector<std::uint32_t> next = first_;
-    for (std::uint32_t h = 0; h < halfedges_.size(); ++h) halfedges_[next[source(h)]++] = h;
+    for (std::uint32_t h = 0; h < halfedges_.size(); ++h) {
+      const std::uint32_t place = next[source(h)]++;
+      halfedges_[place] = h;
+      targets_[place] = target(h);
+    }
   }
 
   std::uint32_t source(std::uint32_t h) const { return surface_.vertices[h / 3][h % 3]; }
@@ -42,13 +49,13 @@ class Outgoing_halfedges {
   std::pair<std::size_t, std::uint32_t> between(std::uint32_t from, std::uint32_t to) const {
     std::pair<std::size_t, std::uint32_t> result{0, 0};
     for (std::uint32_t i = first_[from]; i < first_[from + 1]; ++i)
-      if (target(halfedges_[i]) == to) result = {result.first + 1, halfedges_[i]};
+      if (targets_[i] == to) result = {result.first + 1, halfedges_[i]};
     return result;
   }
 
  private:
   const Surface& surface_;
-  std::vector<std::uint32_t> first_, halfedges_;
+  std::vector<std::uint32_t> first_, halfedges_, targets_;
 };
 
 /// Pairs the halfedges: every directed edge once, and its opposite once.

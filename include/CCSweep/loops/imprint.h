@@ -5,6 +5,7 @@
 
 #include <CCSweep/Status.h>
 #include <CCSweep/concepts.h>
+#include <CCSweep/internal/bucket_sort.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/Layer_drawing.h>
 #include <CCSweep/loops/Loop_face_graph.h>
@@ -13,7 +14,6 @@
 #include <CCSweep/loops/overlay_edges.h>
 #include <CCSweep/loops/overlay_pieces.h>
 #include <CCSweep/loops/overlay_snap.h>
-#include <CCSweep/loops/overlay_sort.h>
 #include <CCSweep/loops/overlay_table.h>
 #include <CCSweep/loops/segment_index.h>
 

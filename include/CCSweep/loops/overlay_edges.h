@@ -4,11 +4,11 @@
 #define CCSWEEP_LOOPS_OVERLAY_EDGES_H
 
 #include <CCSweep/Layer_drawing.h>
+#include <CCSweep/internal/bucket_sort.h>
 #include <CCSweep/loops/overlay_chains.h>
 #include <CCSweep/loops/overlay_crossing.h>
 #include <CCSweep/loops/overlay_labels.h>
 #include <CCSweep/loops/overlay_nodes.h>
-#include <CCSweep/loops/overlay_sort.h>
 
 #include <algorithm>
 #include <array>

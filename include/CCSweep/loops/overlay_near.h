@@ -3,9 +3,9 @@
 #ifndef CCSWEEP_LOOPS_OVERLAY_NEAR_H
 #define CCSWEEP_LOOPS_OVERLAY_NEAR_H
 
+#include <CCSweep/internal/bucket_sort.h>
 #include <CCSweep/loops/overlay_chains.h>
 #include <CCSweep/loops/overlay_nodes.h>
-#include <CCSweep/loops/overlay_sort.h>
 #include <CCSweep/loops/segment_index.h>
 
 #include <algorithm>

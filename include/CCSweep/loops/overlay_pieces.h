@@ -3,11 +3,11 @@
 #ifndef CCSWEEP_LOOPS_OVERLAY_PIECES_H
 #define CCSWEEP_LOOPS_OVERLAY_PIECES_H
 
+#include <CCSweep/internal/bucket_sort.h>
 #include <CCSweep/loops/overlay_crossing.h>
 #include <CCSweep/loops/overlay_forest.h>
 #include <CCSweep/loops/overlay_near.h>
 #include <CCSweep/loops/overlay_nodes.h>
-#include <CCSweep/loops/overlay_sort.h>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #define CCSWEEP_VOLUMES_SEPARATE_FANS_H
 
 #include <CCSweep/internal/Union_find.h>
+#include <CCSweep/internal/bucket_sort.h>
 #include <CCSweep/part/Part.h>
 #include <CCSweep/volumes/triangulate_plane.h>
 
@@ -13,6 +14,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace CCSweep::internal {
@@ -34,9 +37,8 @@ class Fan_separator {
   // Edge k of a triangle runs from corner k to the next.
   struct Side {
     std::uint32_t low, high;
+    std::uint32_t number;  // 3 t + k for edge k of triangle t
     bool ascending;
-    std::size_t triangle;
-    int k;
   };
 
   Fan_separator(const std::vector<Triangle>& triangles, const std::function<Vec3(std::uint32_t)>& point)
@@ -44,25 +46,28 @@ class Fan_separator {
 
   bool pair_edges() {
     std::vector<Side> sides;
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
+    sides.reserve(3 * triangles_.size());
+    std::size_t vertices = 0;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k) {
         const auto a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
-        sides.push_back({std::min(a, b), std::max(a, b), a < b, t, k});
+        sides.push_back({std::min(a, b), std::max(a, b), 3 * t + k, a < b});
+        vertices = std::max<std::size_t>(vertices, a + 1);
       }
-    std::stable_sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-      return std::pair(s.low, s.high) < std::pair(t.low, t.high);
-    });
+    bucket_sort(
+        sides, vertices, [](const Side& s) { return s.low; },
+        [](const Side& s, const Side& t) { return std::pair(s.high, s.number) < std::pair(t.high, t.number); });
     for (std::size_t i = 0; i < sides.size();) {
       std::size_t j = i;
       while (j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high) ++j;
-      if (!pair_sides({sides.begin() + i, sides.begin() + j})) return false;
+      if (!pair_sides(std::span(sides).subspan(i, j - i))) return false;
       i = j;
     }
     return true;
   }
 
   // Around an edge every sheet pairs with the next one on its material's side, so that wedges of material part.
-  bool pair_sides(std::vector<Side> around) {
+  bool pair_sides(std::span<Side> around) {
     if (around.size() % 2 != 0) return false;
     if (around.size() > 2) sort_by_angle(around);
     for (std::size_t i = 0; i < around.size(); ++i) {
@@ -75,10 +80,10 @@ class Fan_separator {
            std::ptrdiff_t(around.size());
   }
 
-  void sort_by_angle(std::vector<Side>& around) const {
+  void sort_by_angle(std::span<Side> around) const {
     const Vec3 origin = point_(around[0].low), axis = unit(point_(around[0].high) - origin);
     auto apex = [&](const Side& s) {
-      const Vec3 w = point_(triangles_[s.triangle][(s.k + 2) % 3]) - origin;
+      const Vec3 w = point_(triangles_[s.number / 3][(s.number + 2) % 3]) - origin;
       return w - dot(w, axis) * axis;
     };
     const Vec3 x = unit(apex(around[0])), y = cross(axis, x);
@@ -89,9 +94,12 @@ class Fan_separator {
   }
 
   void join_corners(const Side& s, const Side& t) {
-    fans_.join(3 * s.triangle + s.k, 3 * t.triangle + (t.k + 1) % 3);
-    fans_.join(3 * s.triangle + (s.k + 1) % 3, 3 * t.triangle + t.k);
+    fans_.join(s.number, end(t));
+    fans_.join(end(s), t.number);
   }
+
+  // The corner that a side runs to.
+  static std::uint32_t end(const Side& s) { return s.number - s.number % 3 + (s.number + 1) % 3; }
 
   std::vector<std::array<std::size_t, 3>> numbered_fans() {
     std::vector<std::size_t> roots;

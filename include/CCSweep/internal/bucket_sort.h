@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CCSWEEP_LOOPS_OVERLAY_SORT_H
-#define CCSWEEP_LOOPS_OVERLAY_SORT_H
+#ifndef CCSWEEP_INTERNAL_BUCKET_SORT_H
+#define CCSWEEP_INTERNAL_BUCKET_SORT_H
 
 #include <algorithm>
 #include <cstddef>
