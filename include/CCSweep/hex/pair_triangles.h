@@ -88,31 +88,6 @@ inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& me
 using Pair_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 using Mates = std::vector<boost::graph_traits<Pair_graph>::vertex_descriptor>;
 
-/// Gives a triangle that is left over the mate of a neighbour, where that has another neighbour left over. Most of those
-/// that the best pairs leave over find a mate so, at far less cost than by a search for longer paths.
-template <class Graph, class MateMap>
-void exchange_mates(const Graph& graph, MateMap mate) {
-  using boost::get, boost::put;
-  const auto null = boost::graph_traits<Graph>::null_vertex();
-  const auto left_over_beside = [&](auto v, auto except) {
-    for (auto w : boost::make_iterator_range(adjacent_vertices(v, graph)))
-      if (w != except && get(mate, w) == null) return w;
-    return null;
-  };
-  for (auto a : boost::make_iterator_range(vertices(graph))) {
-    if (get(mate, a) != null) continue;
-    for (auto b : boost::make_iterator_range(adjacent_vertices(a, graph))) {
-      const auto c = get(mate, b), d = left_over_beside(c, a);
-      if (d == null) continue;
-      for (const auto& [u, v] : {std::pair(a, b), std::pair(c, d)}) {
-        put(mate, u, v);
-        put(mate, v, u);
-      }
-      break;
-    }
-  }
-}
-
 /// The matching that takes the best pair first, and so on. The graph's edges come in that order.
 template <class Graph, class MateMap>
 struct Best_first_matching {
@@ -128,15 +103,6 @@ struct Best_first_matching {
   }
 };
 
-/// The same, with mates exchanged.
-template <class Graph, class MateMap>
-struct Exchanged_matching {
-  static void find_matching(const Graph& graph, MateMap mate) {
-    Best_first_matching<Graph, MateMap>::find_matching(graph, mate);
-    exchange_mates(graph, mate);
-  }
-};
-
 /// Chooses pairs so that no triangle is in two of them: the best first, and if so wanted, Edmonds' algorithm makes
 /// them as many as there can be. (The weighted matching of Boost 1.74 does not come to an end on some graphs.)
 /// \return the pairs chosen, by their place in `pairs`
@@ -149,7 +115,7 @@ inline std::vector<std::size_t> choose_pairs(const std::vector<Triangle_pair>& p
   if (as_many_as_can_be) {
     const auto index = get(boost::vertex_index, graph);
     boost::matching<Pair_graph, decltype(mate), decltype(index), boost::edmonds_augmenting_path_finder,
-                    Exchanged_matching, boost::no_matching_verifier>(graph, mate, index);
+                    Best_first_matching, boost::no_matching_verifier>(graph, mate, index);
   } else {
     Best_first_matching<Pair_graph, decltype(mate)>::find_matching(graph, mate);
   }

@@ -24,15 +24,8 @@ class Quad_smoother {
 
   void run() {
     constexpr int rounds = 30, searches = 15;
-    std::vector<bool> rests(mesh_.points.size(), false);  // it and its neighbours have hardly moved since it was relaxed
     for (int i = 0; i < rounds; ++i)
-      for (std::size_t n = fixed_; n < mesh_.points.size(); ++n) {
-        if (rests[n]) continue;
-        rests[n] = true;
-        if (relax(n))
-          for (std::uint32_t q : quads_of_[n])
-            for (std::uint32_t m : mesh_.quads[q]) rests[m] = false;
-      }
+      for (std::size_t n = fixed_; n < mesh_.points.size(); ++n) relax(n);
     for (int i = 0; i < searches; ++i)
       for (std::size_t n = fixed_; n < mesh_.points.size(); ++n)
         if (quality_around(n) < good) search(n);
@@ -52,9 +45,8 @@ class Quad_smoother {
     return worst;
   }
 
-  // To the mean of the neighbours, if no good angle is lost for it. Returns whether that is a step worth speaking of.
-  bool relax(std::size_t n) {
-    constexpr double hardly = 1e-3;
+  // To the mean of the neighbours, if no good angle is lost for it.
+  void relax(std::size_t n) {
     Point2 sum{};
     for (std::uint32_t q : quads_of_[n]) {
       const auto& quad = mesh_.quads[q];
@@ -63,11 +55,7 @@ class Quad_smoother {
         for (int x : {0, 1}) sum[x] += mesh_.points[quad[k]][x];
     }
     const double count = 2.0 * static_cast<double>(quads_of_[n].size());
-    const Point2 mean{sum[0] / count, sum[1] / count}, old = mesh_.points[n];
-    const auto& quad = mesh_.quads[quads_of_[n][0]];
-    const double size = squared_length(mesh_.points[quad[0]], mesh_.points[quad[2]]);
-    if (squared_length(mean, old) < hardly * hardly * size) return false;
-    return try_place(n, mean, std::min(quality_around(n), good));
+    try_place(n, {sum[0] / count, sum[1] / count}, std::min(quality_around(n), good));
   }
 
   // Looks about for a better place, in smaller and smaller steps.
