@@ -25,8 +25,8 @@ using Point = std::array<double, 2>;
 
 constexpr double pi = 3.14159265358979323846;
 
-// Builds a plate with prisms below and above: each prism is a closed polygon on the plate, a wall and a cap. The plate's
-// faces are triangulated between the polygons by cells: each prism stands alone in a square cell.
+// Builds a plate with prisms below and above: each prism is a closed polygon on the plate, a wall and a cap. The
+// plate's faces are triangulated between the polygons by cells: each prism stands alone in a square cell.
 class Table {
  public:
   // A grid of k x k unit cells; each cell may carry one prism below and one above.
@@ -197,7 +197,10 @@ void measure(benchmark::State& state, const Table& table) {
   state.SetComplexityN(static_cast<benchmark::IterationCount>(table.mesh().number_of_faces()));
 }
 
-void finer_circles_that_cross(benchmark::State& state) { measure(state, round_table(static_cast<int>(state.range(0)))); }
+void finer_circles_that_cross(benchmark::State& state) {
+  measure(state, round_table(static_cast<int>(state.range(0))));
+}
+
 void finer_circles_that_match(benchmark::State& state) {
   measure(state, matching_table(static_cast<int>(state.range(0))));
 }

@@ -18,8 +18,9 @@
 /// What the imprint puts into it are not single segments but the boxes of short runs of consecutive ones, for outlines
 /// are ordered; so there are an eighth as many boxes and queries as segments.
 ///
-/// Models: `CCSweep::Rtree_segment_index_2` (the default), `CCSweep::Run_segment_index_2` (a hierarchy of boxes over runs
-/// of consecutive segments, which needs no sorting and joins itself), `CCSweep::Brute_force_segment_index_2` (the oracle).
+/// Models: `CCSweep::Rtree_segment_index_2` (the default), `CCSweep::Run_segment_index_2` (a hierarchy of boxes over
+/// runs of consecutive segments, which needs no sorting and joins itself), `CCSweep::Brute_force_segment_index_2` (the
+/// oracle).
 class SegmentIndex_2 {
  public:
   /// Takes the boxes of all segments. Segment `i` is the one with the box `boxes[i]`. Called once for each set of

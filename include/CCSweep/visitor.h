@@ -19,8 +19,8 @@ namespace CCSweep {
 /// - `end(stage)` comes after the last step: once, unless the stage fails or is cancelled.
 /// - `cancel()` comes before each step, at least once for each; when it returns true the call ends with
 ///   `Status_code::cancelled`.
-/// - `drawn(layer, drawing, patch_id)` comes before the loops of a layer are overlaid, once for each layer; `drawing` is
-///   a `Layer_drawing`, `patch_id[i]` the id of its label i, and both live as long as the call.
+/// - `drawn(layer, drawing, patch_id)` comes before the loops of a layer are overlaid, once for each layer; `drawing`
+///   is a `Layer_drawing`, `patch_id[i]` the id of its label i, and both live as long as the call.
 /// - `imprinted(layer, graph)` comes after the sources and targets of a layer have been overlaid, once for each level;
 ///   `graph` is a model of `LoopFaceGraph` and lives as long as the call.
 ///

@@ -59,7 +59,8 @@ std::vector<Triangle> triangulated_face(const std::vector<std::uint32_t>& corner
   for (std::size_t i = 0; i < corners.size(); ++i)
     normal = normal + CGAL::cross_product(points[corners[i]] - points[corners[0]],
                                           points[corners[(i + 1) % corners.size()]] - points[corners[0]]);
-  const auto [x, y] = chart_axes({CGAL::to_double(normal.x()), CGAL::to_double(normal.y()), CGAL::to_double(normal.z())});
+  const auto [x, y] =
+      chart_axes({CGAL::to_double(normal.x()), CGAL::to_double(normal.y()), CGAL::to_double(normal.z())});
   Planar_region<Traits> region;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point& p = points[corners[i]];

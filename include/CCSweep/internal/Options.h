@@ -45,7 +45,8 @@ Options unpack(const NamedParameters& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Options options;
-  options.roles.direction = to_array(choose_parameter(get_parameter(np, internal_np::direction), options.roles.direction));
+  options.roles.direction =
+      to_array(choose_parameter(get_parameter(np, internal_np::direction), options.roles.direction));
   options.roles.sources = choose_parameter(get_parameter(np, internal_np::sources), options.roles.sources);
   options.roles.targets = choose_parameter(get_parameter(np, internal_np::targets), options.roles.targets);
   options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);

@@ -26,7 +26,8 @@ Tagged_mesh<Point> outer_mesh(const Decomposition<Point>& decomposition) {
     const auto patch = mesh.template property_map<typename Mesh::Face_index, int>(volume.patch_id_map);
     const auto role = mesh.template property_map<typename Mesh::Face_index, int>(volume.role_map);
     if (!patch.second || !role.second)
-      fail(Status_code::invalid_parameter, Stage::input, "a sub-volume does not tell the patches and roles of its faces");
+      fail(Status_code::invalid_parameter, Stage::input,
+           "a sub-volume does not tell the patches and roles of its faces");
     for (auto f : mesh.faces()) {
       if (role.first[f] == static_cast<int>(Role::cut)) continue;
       std::vector<typename Mesh::Vertex_index> corners;

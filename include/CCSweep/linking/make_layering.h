@@ -81,8 +81,8 @@ void snap_vertices_to_layers(const Part<Traits>& part, Layering& layering) {
   }
 }
 
-// Along a feature curve that rises over the linking faces from one cap to another the parameter grows evenly, as it does
-// where the curve has no inner vertices: rows must not depend on how finely curves are divided.
+// Along a feature curve that rises over the linking faces from one cap to another the parameter grows evenly, as it
+// does where the curve has no inner vertices: rows must not depend on how finely curves are divided.
 template <class Traits>
 void tie_rising_curves(const Part<Traits>& part, const Roles& roles, Layering& layering) {
   const auto& mesh = part.mesh;

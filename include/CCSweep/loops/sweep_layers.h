@@ -249,7 +249,8 @@ class Layer_sweeper {
           loops_.wall_labels.push_back({loop.nodes[i], loop.nodes[(i + 1) % loop.nodes.size()],
                                         loop.carriers[i].index, true, loop.targets[i]});
     transport_.emplace(part_, loops_.up[layer.value()], roles_.is_straight(), loops_.is_upright,
-                       sections_.arriving[layer.value() + 1], sections_.strips[layer.value()], std::move(leaving), imprinted, tolerance_, neighbours_, loops_);
+                       sections_.arriving[layer.value() + 1], sections_.strips[layer.value()], std::move(leaving),
+                       imprinted, tolerance_, neighbours_, loops_);
   }
 
   void note(Layer_index layer, const Imprint<Traits>& imprint) {

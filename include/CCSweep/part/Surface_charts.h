@@ -38,8 +38,8 @@ struct Triangle_surface {
 
 // Finds the parts of a surface that are plainly free of self-contact: charts, each the graph of a function over a
 // coordinate plane. A chart is connected by edges, its triangles turn the same way in the plane, those around a vertex
-// go around it once at most, and its boundary meets itself nowhere in the plane. So the boundary has one outer curve and
-// the map to the plane is one to one: by the sum of its turns (a surface of Euler characteristic X with such a boundary
+// go around it once at most, and its boundary meets itself nowhere in the plane. So the boundary has one outer curve
+// and the map to the plane is one to one: by the sum of its turns (the boundary of a surface of Euler characteristic X
 // turns X times). All decisions are exact. Linear, where boundaries are short.
 template <class Kernel>
 class Surface_charts {

@@ -14,8 +14,8 @@
 
 namespace CCSweep::internal {
 
-// A hierarchy of boxes over the triangles of a surface, to find the pairs of triangles near each other. Each chart has a
-// branch to itself, so the pairs inside of it, which need no look, are left out together. Building takes O(n log n).
+// A hierarchy of boxes over the triangles of a surface, to find the pairs of triangles near each other. Each chart has
+// a branch to itself, so the pairs inside of it, which need no look, are left out together. Building takes O(n log n).
 class Triangle_tree {
  public:
   // `charts` as `Surface_charts` tells.

@@ -277,8 +277,8 @@ std::vector<Roles> ranked(const Part<Traits>& part, std::vector<Axis_trial> tria
 /// Tautges 2000), by the angles of the patches with the sweep and of the curves between them; where no straight sweep
 /// fits, walks from each planar patch over the linking faces to find one that bends.
 ///
-/// \return the possible roles, best first: without steep walls (a sweep along the diagonal of a chamfered block fits, but
-/// is nobody's first choice), fewest targets, then smaller target area, then the lowest patch id among
+/// \return the possible roles, best first: without steep walls (a sweep along the diagonal of a chamfered block fits,
+/// but is nobody's first choice), fewest targets, then smaller target area, then the lowest patch id among
 /// the targets; never empty. Where there are none: `not_sweepable` with, for the best axis, the patches that stand in
 /// the way and why; `invalid_parameter` where the request names no patch of the part.
 /// Complexity: linear in the faces, times the number of candidate axes.

@@ -15,7 +15,7 @@ struct Cut_row {
   Layer_index layer;  ///< the lower one
   std::vector<Node_index> bottom, top;
   Patch_index left, right;  ///< targets
-  std::vector<double> lift;  ///< by upper node: how far along the sweep the imprint moved it from where it was projected
+  std::vector<double> lift;  ///< by upper node: how far the imprint moved it along the sweep from its projection
 };
 
 }  // namespace CCSweep

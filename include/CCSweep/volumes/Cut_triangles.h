@@ -199,7 +199,8 @@ class Cut_triangulator {
     for (std::size_t t = 0; t < stays.size(); ++t) {
       const bool is_ordered = result_.left[t] < result_.right[t];
       const Pair pair = std::minmax(result_.left[t], result_.right[t]);
-      const Triangle front = turned_to(result_.triangles[t], is_ordered), back = turned_to(result_.triangles[t], !is_ordered);
+      const Triangle front = turned_to(result_.triangles[t], is_ordered);
+      const Triangle back = turned_to(result_.triangles[t], !is_ordered);
       const auto other = seen.find({back, pair});
       if (other == seen.end()) {
         seen.emplace(std::pair(front, pair), t);
