@@ -208,7 +208,8 @@ struct Swept_part {
 /// Nodes wherever an edge meets one of some planes across an axis, evenly spaced over the box.
 inline Part sliced(Part part, int axis, int slices) {
   for (int k = 0; k + 1 < slices; ++k) {
-    const double at = (k + (axis == 0 ? 0.87 : axis == 1 ? 0.41 : 0.63)) * (axis == 2 ? 12. : 24.) / slices;  // not where the nodes are
+    const double off = axis == 0 ? 0.87 : axis == 1 ? 0.41 : 0.63;  // not where the nodes are
+    const double at = (k + off) * (axis == 2 ? 12. : 24.) / slices;
     part = split_edges::once(part, [&](const Coordinates& p, const Coordinates& q) -> std::optional<Coordinates> {
       if ((p[axis] - at) * (q[axis] - at) >= 0) return std::nullopt;
       Coordinates node = split_edges::between(p, q, (at - p[axis]) / (q[axis] - p[axis]));

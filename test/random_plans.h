@@ -162,7 +162,8 @@ class Generator {
     const int nodes = is_round ? 8 : 4;
     for (int i = 0; i < nodes * lobes; ++i) {
       const double angle = 2 * pi * i / (nodes * lobes);
-      const double radius = is_round ? 10.5 + std::cos(lobes * angle) * std::min(1.5, 12. / lobes) : i % 4 < 2 ? 12 : 10;
+      const double lobe = std::cos(lobes * angle) * std::min(1.5, 12. / lobes);
+      const double radius = is_round ? 10.5 + lobe : i % 4 < 2 ? 12 : 10;
       result.push_back({rounded(12 + radius * std::cos(angle)), rounded(12 + radius * std::sin(angle))});
     }
     return result;

@@ -43,7 +43,8 @@ constexpr double pi = 3.14159265358979323846;
 
 Part_type part_of(const Soup& soup) {
   const auto mesh = mesh_changes::mesh<Kernel::Point_3>(soup);
-  return make_part<Kernel>(mesh, mesh.points(), mesh.property_map<CGAL::SM_Face_index, int>("f:patch_id").first).value();
+  const auto patch_id = mesh.property_map<CGAL::SM_Face_index, int>("f:patch_id").first;
+  return make_part<Kernel>(mesh, mesh.points(), patch_id).value();
 }
 
 Soup soup_of(const random_parts::Plan& plan) {
@@ -517,7 +518,8 @@ struct Touching_boxes {
   void add_box(double x, double y, double z) {
     std::array<std::uint32_t, 8> v;
     for (int i = 0; i < 8; ++i) v[i] = vertex({x + (i & 1), y + ((i >> 1) & 1), z + ((i >> 2) & 1)});
-    const std::array<std::array<int, 4>, 6> sides{{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    const std::array<std::array<int, 4>, 6> sides{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
     for (const auto& [a, b, c, d] : sides) {
       triangles.push_back({v[a], v[b], v[c]});
       triangles.push_back({v[a], v[c], v[d]});

@@ -50,9 +50,8 @@ class Slab_transport {
   /// \param is_upright all linking faces stand along it as well, but for the facets of their arcs
   Slab_transport(const Part<Traits>& part, const Vec3& up, bool is_straight, bool is_upright,
                  const std::vector<Wall_loop>& arriving, const std::vector<Wall_strip>& strips,
-                 std::vector<Leaving_loop> leaving,
-                 const Imprinted_layer<Traits>& imprinted, double tolerance, std::size_t neighbours,
-                 Layered_loops<Traits>& loops)
+                 std::vector<Leaving_loop> leaving, const Imprinted_layer<Traits>& imprinted, double tolerance,
+                 std::size_t neighbours, Layered_loops<Traits>& loops)
       : part_(part),
         up_(up),
         is_straight_(is_straight),

@@ -34,8 +34,8 @@ class Overlay_pieces {
   static double slack(double rounding) { return 8 * maximal_rounds * rounding; }
 
   // `chains` in the nodes, a piece for each of their `steps`; `fixed` for each chain; `twins` as `first_twins` tells,
-  // or empty; `near` are all pairs of pieces that may come within the slack and twice the tolerance of each other, except that
-  // of neighbours which run on.
+  // or empty; `near` are all pairs of pieces that may come within the slack and twice the tolerance of each other,
+  // except those of neighbours which run on.
   template <class Fixed>
   Overlay_pieces(Layer_nodes<Traits>& nodes, const Node_chains& chains, const std::vector<Step>& steps,
                  const Fixed& fixed, const std::vector<std::uint32_t>& twins, std::vector<Near_pair> near,

@@ -70,7 +70,8 @@ class Cut_drawer {
       return;
     }
     auto is_on_source = [&](auto f) { return part_.patch(f) == source; };
-    const Vec3 normal = normal_at(loops_.node(s.a).where, is_on_source) + normal_at(loops_.node(s.b).where, is_on_source);
+    const Vec3 normal =
+        normal_at(loops_.node(s.a).where, is_on_source) + normal_at(loops_.node(s.b).where, is_on_source);
     const bool drawn = cutter_.draw(v, w, roles_.is_straight() ? roles_.direction : unit(normal), is_on_source);
     if (!drawn)
       fail(Status_code::cut_failed, Stage::sub_volumes,
