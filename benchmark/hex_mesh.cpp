@@ -138,7 +138,8 @@ double peak_memory() {
 }
 
 std::size_t memory_of(const CCSweep::Hex_mesh& mesh) {
-  return mesh.points.size() * sizeof mesh.points[0] + mesh.hexes.size() * (sizeof mesh.hexes[0] + sizeof mesh.volume[0]) +
+  return mesh.points.size() * sizeof mesh.points[0] +
+         mesh.hexes.size() * (sizeof mesh.hexes[0] + sizeof mesh.volume[0]) +
          mesh.boundary.size() * sizeof mesh.boundary[0];
 }
 

@@ -109,7 +109,8 @@ inline double scaled_jacobian(const Hex_corners& p) {
   // The edges along the three axes, and one over their lengths; each meets two corners.
   constexpr int ends[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
                                  {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-  constexpr int edges_at[8][3] = {{0, 0, 0}, {0, 1, 1}, {1, 1, 2}, {1, 0, 3}, {2, 2, 0}, {2, 3, 1}, {3, 3, 2}, {3, 2, 3}};
+  constexpr int edges_at[8][3] = {{0, 0, 0}, {0, 1, 1}, {1, 1, 2}, {1, 0, 3},
+                                  {2, 2, 0}, {2, 3, 1}, {3, 3, 2}, {3, 2, 3}};
   Vec3 unit_edge[3][4], axis[3] = {};
   for (int k = 0; k < 3; ++k)
     for (int e = 0; e < 4; ++e) {
