@@ -42,7 +42,7 @@ inline std::vector<Edge> boundary_of(const std::vector<Triple>& triangles) {
 /// A surface's triangles by their corners.
 class Known_triangles {
  public:
-  explicit Known_triangles(const Surface& surface, std::size_t number_of_points)
+  Known_triangles(const Surface& surface, std::size_t number_of_points)
       : surface_(surface), first_(number_of_points + 1, 0), triangles_(surface.points.size()) {
     for (const Triple& p : surface.points) ++first_[lowest(p) + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
