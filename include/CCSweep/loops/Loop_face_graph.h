@@ -71,7 +71,7 @@ class Loop_face_graph {
 
   /// Adds a LoopEdge that runs through `nodes`, both end nodes included; returns its coedge from `source` to
   /// `target`. The coedges belong to no loop and have no neighbours yet.
-  Halfedge_index add_edge(Vertex_index source, Vertex_index target, const std::vector<Node_index>& nodes) {
+  Halfedge_index add_edge(Vertex_index source, Vertex_index target, std::span<const Node_index> nodes) {
     const Halfedge_index forward(coedges_.size());
     coedges_.push_back({target, {}, {}, {}, add_nodes(nodes.begin(), nodes.end())});
     coedges_.push_back({source, {}, {}, {}, add_nodes(nodes.rbegin(), nodes.rend())});

@@ -12,6 +12,7 @@
 #include <CCSweep/loops/overlay_build.h>
 #include <CCSweep/loops/overlay_chains.h>
 #include <CCSweep/loops/overlay_edges.h>
+#include <CCSweep/loops/overlay_face_labels.h>
 #include <CCSweep/loops/overlay_pieces.h>
 #include <CCSweep/loops/overlay_snap.h>
 #include <CCSweep/loops/overlay_table.h>
@@ -145,7 +146,7 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
 
   const Overlay_edges edges = Edge_sum<Traits>::of(drawing.segments, result.chains, nodes);
   const Planar_map<Traits> map(nodes, edges);
-  Graph_builder<Traits> builder(map, nodes, flooded_labels(map, nodes));
+  Graph_builder<Traits> builder(map, nodes, Face_labels<Traits>::of(map, nodes));
   result.graph = std::move(builder.graph());
 
   result.points = std::move(nodes.points);

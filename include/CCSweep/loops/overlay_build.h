@@ -58,16 +58,16 @@ class Graph_builder {
   }
 
   void add_edge(std::span<const std::uint32_t> run) {
-    collect_nodes(run);
     const Loop_vertex_index source = vertex(map_.source(run.front())), target = vertex(map_.target(run.back()));
-    const Loop_coedge_index coedge = graph_.add_edge(source, target, chain_);
+    const Loop_coedge_index coedge = graph_.add_edge(source, target, nodes(run));
     for (std::uint32_t h : run) {
       coedges_[h] = coedge;
       coedges_[h ^ 1] = graph_.opposite(coedge);
     }
   }
 
-  void collect_nodes(std::span<const std::uint32_t> run) {
+  std::span<const Node_index> nodes(std::span<const std::uint32_t> run) {
+    if (run.size() == 1 && run.front() % 2 == 0) return map_.path(run.front() / 2);
     chain_.assign(1, map_.node(map_.source(run.front())));
     for (std::uint32_t h : run) {
       const std::span<const Node_index> path = map_.path(h / 2);
@@ -77,6 +77,7 @@ class Graph_builder {
         chain_.insert(chain_.end(), path.rbegin() + 1, path.rend());
       }
     }
+    return chain_;
   }
 
   void link() {
@@ -116,7 +117,7 @@ class Graph_builder {
   std::vector<Loop_vertex_index> vertices_;  // per end
   std::vector<char> stops_;
   std::vector<std::uint32_t> run_;
-  std::vector<Node_index> chain_;  // the nodes of the run
+  std::vector<Node_index> chain_;  // the nodes of a run, if of several edges
 };
 
 }  // namespace CCSweep::internal

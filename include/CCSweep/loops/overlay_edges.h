@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -34,7 +35,7 @@ struct Overlay_edge {
 
 struct Overlay_edges {
   std::vector<Node_index> nodes;
-  std::vector<Node_index> ends;  // the nodes where paths end, ascending
+  std::vector<Node_index> ends;  // the nodes where paths end
   std::vector<Overlay_edge> edges;
 
   std::span<const Node_index> path(std::size_t edge) const {
@@ -54,28 +55,37 @@ class Edge_sum {
   static Overlay_edges of(const std::vector<Segment>& segments, const Node_chains& chains,
                           const Layer_nodes<Traits>& nodes) {
     Edge_sum sum(nodes);
-    sum.count_ends(segments, chains);
+    sum.count_ends(chains);
     sum.make_paths(segments, chains);
-    sum.number_ends();
     sum.sort();
     sum.merge_coincident();
     return std::move(sum.result_);
   }
 
  private:
-  explicit Edge_sum(const Layer_nodes<Traits>& nodes) : nodes_(nodes), degree_(nodes.points.size(), 0) {}
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  explicit Edge_sum(const Layer_nodes<Traits>& nodes)
+      : nodes_(nodes), degree_(nodes.points.size(), 0), number_(nodes.points.size(), none) {}
 
   static bool is_silent(const Segment& segment) { return segment.left == segment.right; }
 
-  void count_ends(const std::vector<Segment>& segments, const Node_chains& chains) {
-    for (std::size_t s = 0; s < segments.size(); ++s) {
-      if (is_silent(segments[s])) continue;
-      const std::span<const Node_index> chain = chains[s];
-      for (std::size_t i = 1; i < chain.size(); ++i) {
-        ++degree_[chain[i - 1].value()];
-        ++degree_[chain[i].value()];
-      }
+  // Most chains begin where the last one ended, so that each node is looked up once.
+  void count_ends(const Node_chains& chains) {
+    Node_index last;
+    const auto end_at_last = [&] {
+      if (last.is_valid()) ++degree_[last.value()];
+    };
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      const std::span<const Node_index> chain = chains[c];
+      if (chain.size() == 1) continue;
+      const bool goes_on = chain.front() == last;
+      if (!goes_on) end_at_last();
+      degree_[chain.front().value()] += goes_on ? 2 : 1;
+      for (std::size_t i = 1; i + 1 < chain.size(); ++i) degree_[chain[i].value()] += 2;
+      last = chain.back();
     }
+    end_at_last();
   }
 
   // A path goes on while the drawing does, through nodes where nothing else ends.
@@ -112,28 +122,22 @@ class Edge_sum {
   void close(const Segment& segment, bool ascends) {
     if (!ascends) std::reverse(result_.nodes.begin() + first_, result_.nodes.end());
     const Loop_label &l = ascends ? segment.left : segment.right, &r = ascends ? segment.right : segment.left;
-    const std::uint32_t size = static_cast<std::uint32_t>(result_.nodes.size()) - first_;
-    result_.edges.push_back({0, 0, first_, size, {Sides{l.source, r.source}, Sides{l.target, r.target}}});
+    Overlay_edge& edge = result_.edges.emplace_back();
+    edge.a = number_of(result_.nodes[first_]);
+    edge.b = number_of(result_.nodes.back());
+    edge.first = first_;
+    edge.size = static_cast<std::uint32_t>(result_.nodes.size()) - first_;
+    edge.sides = {Sides{l.source, r.source}, Sides{l.target, r.target}};
   }
 
-  // Most nodes are inside paths. All that follows deals with the others.
-  void number_ends() {
-    std::vector<std::uint32_t>& number = degree_;  // no longer needed
-    std::fill(number.begin(), number.end(), 0);
-    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
-      const std::span<const Node_index> path = result_.path(e);
-      number[path.front().value()] = number[path.back().value()] = 1;
+  // Most nodes are inside paths. All that follows deals with the others, which have numbers of their own.
+  std::uint32_t number_of(Node_index end) {
+    std::uint32_t& number = number_[end.value()];
+    if (number == none) {
+      number = static_cast<std::uint32_t>(result_.ends.size());
+      result_.ends.push_back(end);
     }
-    for (std::size_t n = 0; n < number.size(); ++n) {
-      if (number[n] == 0) continue;
-      number[n] = static_cast<std::uint32_t>(result_.ends.size());
-      result_.ends.emplace_back(n);
-    }
-    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
-      const std::span<const Node_index> path = result_.path(e);
-      result_.edges[e].a = number[path.front().value()];
-      result_.edges[e].b = number[path.back().value()];
-    }
+    return number;
   }
 
   // By the node they begin at, in linear time, then by the rest.
@@ -179,7 +183,7 @@ class Edge_sum {
   }
 
   const Layer_nodes<Traits>& nodes_;
-  std::vector<std::uint32_t> degree_;
+  std::vector<std::uint32_t> degree_, number_;  // of each node
   std::uint32_t first_ = 0;
   Overlay_edges result_;
 };

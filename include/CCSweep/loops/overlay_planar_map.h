@@ -85,14 +85,21 @@ class Planar_map {
     for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
     out_.resize(number_of_halfedges());
     std::vector<Number> place(first_.begin(), first_.end() - 1);
-    for (Number h = 0; h < number_of_halfedges(); ++h) out_[place[source(h)]++] = h;
-    const auto before = [this](Number g, Number h) {
-      if (ascends(g) != ascends(h)) return ascends(g);
-      return turn<Traits>(point(node(source(g))), point(second(g)), point(second(h))) == CGAL::LEFT_TURN;
-    };
+    for (Number h = 0; h < number_of_halfedges(); h += 2) out_[place[source(h)]++] = h;
+    const std::vector<Number> middle = place;
+    for (Number h = 1; h < number_of_halfedges(); h += 2) out_[place[source(h)]++] = h;
     for (Number n = 0; n < number_of_ends(); ++n) {
-      if (degree(n) > 1) std::sort(out_.begin() + first_[n], out_.begin() + first_[n + 1], before);
+      sort_half(first_[n], middle[n]);
+      sort_half(middle[n], first_[n + 1]);
     }
+  }
+
+  // For halfedges that leave an end, and all ascend or all descend.
+  void sort_half(Number first, Number last) {
+    if (last - first <= 1) return;
+    std::sort(out_.begin() + first, out_.begin() + last, [this](Number g, Number h) {
+      return turn<Traits>(point(node(source(g))), point(second(g)), point(second(h))) == CGAL::LEFT_TURN;
+    });
   }
 
   // Left turns (section 2.7, step 6): the next halfedge makes the smallest interior angle, so it is the first one
@@ -237,50 +244,6 @@ class Planar_map {
   std::vector<Number> lowest_;
   std::vector<Face> faces_;
 };
-
-// The label of each face. What an edge says of a set holds on its two sides; what it does not speak of carries over
-// from one side to the other; nothing is outside. Linear.
-template <class Traits>
-std::vector<Loop_label> flooded_labels(const Planar_map<Traits>& map, const Layer_nodes<Traits>& nodes) {
-  std::vector<std::array<int, 2>> labels(map.number_of_faces(), {Loop_label::none, Loop_label::none});
-  std::vector<bool> seen(map.number_of_faces(), false);
-  std::vector<std::uint32_t> queue{0};
-  seen[0] = true;
-  const auto visit = [&](std::uint32_t h) {
-    const std::uint32_t face = map.face(h), other = map.face(h ^ 1);
-    std::array<int, 2> across;
-    for (int set : {0, 1}) {
-      const Sides sides = map.sides(h, set);
-      const bool speaks = sides.left != sides.right;
-      across[set] = speaks ? sides.right : labels[face][set];
-      const bool left_fits = !speaks || sides.left == labels[face][set];
-      const bool right_fits = !seen[other] || across[set] == labels[other][set];
-      if (left_fits && right_fits) continue;
-      std::vector<int> patches{sides.left, sides.right, labels[face][set], seen[other] ? labels[other][set] : -1};
-      std::sort(patches.begin(), patches.end());
-      patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
-      std::erase(patches, Loop_label::none);
-      fail_imprint(nodes, map.node(map.source(h)),
-                   set == 0 ? "sources overlap or are not closed" : "targets overlap or are not closed", patches);
-    }
-    if (seen[other]) return;
-    seen[other] = true;
-    labels[other] = across;
-    queue.push_back(other);
-  };
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    map.for_each_cycle(queue[i], [&](std::uint32_t start) {
-      std::uint32_t h = start;
-      do {
-        visit(h);
-        h = map.next(h);
-      } while (h != start);
-    });
-  }
-  std::vector<Loop_label> result;
-  for (const auto& [source, target] : labels) result.push_back({source, target});
-  return result;
-}
 
 }  // namespace CCSweep::internal
 

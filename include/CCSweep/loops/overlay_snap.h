@@ -182,27 +182,33 @@ std::size_t number_merged(const Layer_nodes<Traits>& nodes) {
 template <class Traits>
 class Snap_need {
  public:
-  Snap_need(const Layer_drawing<Traits>& drawing, const Layer_nodes<Traits>& nodes, double tolerance)
-      : drawing_(drawing), nodes_(nodes), tolerance_(tolerance) {}
+  Snap_need(const Layer_drawing<Traits>& drawing, const std::vector<Step>& steps, const Layer_nodes<Traits>& nodes,
+            double tolerance)
+      : drawing_(drawing), steps_(steps), nodes_(nodes), tolerance_(tolerance) {}
 
   // `near` are the pairs of segments within the tolerance and their chord errors, or more. Neighbours that run on are
   // not as near as either is long.
   bool exists(const std::vector<Near_pair>& near) const {
     return std::any_of(near.begin(), near.end(), [this](const Near_pair& pair) {
-      return is_close(drawing_.segments[pair.first], drawing_.segments[pair.second]);
+      return tolerance_ == 0 ? have_equal_ends(steps_[pair.first], steps_[pair.second])
+                             : is_close(drawing_.segments[pair.first], drawing_.segments[pair.second]);
     });
   }
 
  private:
   using Segment = typename Layer_drawing<Traits>::Segment;
 
-  bool is_close(Node_index n, Node_index m) const {
-    return tolerance_ == 0 ? is_equal<Traits>(nodes_.point(n), nodes_.point(m))
-                           : distance(nodes_.place(n), nodes_.place(m)) <= tolerance_;
+  bool have_equal_ends(const Step& s, const Step& t) const {
+    for (const Node_index n : s) {
+      for (const Node_index m : t) {
+        if (n != m && is_equal<Traits>(nodes_.point(n), nodes_.point(m))) return true;
+      }
+    }
+    return false;
   }
 
   bool is_close(const Segment& s, const Segment& t) const {
-    const double reach = tolerance_ == 0 ? 0 : std::fmax(tolerance_, std::fmax(s.chord_error, t.chord_error));
+    const double reach = std::fmax(tolerance_, std::fmax(s.chord_error, t.chord_error));
     for (Node_index common : {s.source, s.target}) {
       if (common != t.source && common != t.target) continue;
       const Node_index n = common == s.source ? s.target : s.source, m = common == t.source ? t.target : t.source;
@@ -214,20 +220,19 @@ class Snap_need {
 
   // For segments from a common node to n and m.
   bool are_close_beyond(Node_index common, Node_index n, Node_index m, double reach) const {
-    if (tolerance_ == 0) return is_equal<Traits>(nodes_.point(n), nodes_.point(m));
     const Place_2 c = nodes_.place(common), p = nodes_.place(n), q = nodes_.place(m);
     if ((p[0] - c[0]) * (q[0] - c[0]) + (p[1] - c[1]) * (q[1] - c[1]) <= 0) return false;
     return std::fmin(closest(p, c, q).distance, closest(q, c, p).distance) <= reach * safety;
   }
 
   bool touches(Node_index n, const Segment& segment, double reach) const {
-    if (tolerance_ == 0) return is_close(n, segment.source) || is_close(n, segment.target);
     return closest(nodes_.place(n), nodes_.place(segment.source), nodes_.place(segment.target)).distance <=
            reach * safety;
   }
 
   static constexpr double safety = 1 + 1e-6;  // the same distances, computed in another order
   const Layer_drawing<Traits>& drawing_;
+  const std::vector<Step>& steps_;  // one for each segment
   const Layer_nodes<Traits>& nodes_;
   double tolerance_;
 };
@@ -263,7 +268,7 @@ Snapped_segments snap(const Layer_drawing<Traits>& drawing, Checked_drawing<Trai
     const double reach = tolerance == 0 ? 0 : std::fmax(tolerance, checked.chord_error);
     result = straight_segments(drawing, nodes);
     result.near = near_steps<SegmentIndex>(result.steps, {}, nodes, reach + slack);
-    if (!Snap_need<Traits>(drawing, nodes, tolerance).exists(result.near)) return result;
+    if (!Snap_need<Traits>(drawing, result.steps, nodes, tolerance).exists(result.near)) return result;
   }
   merge_equal(nodes);
   if (tolerance == 0) {
