@@ -279,13 +279,16 @@ struct Clipper {
 
 // Throwing the result away is not measured.
 template <class Peer>
-void measure(benchmark::State& state, const std::string& name, const Scene& scene) {
-  Peer peer(scene);
+void measure(benchmark::State& state, const std::string& name, const std::vector<Scene>& scenes) {
+  std::vector<Peer> peers(scenes.begin(), scenes.end());
+  std::size_t i = 0;
   for (auto _ : state) {
+    Peer& peer = peers[i];
     peer.run();
     state.PauseTiming();
-    if constexpr (requires { peer.areas(); }) check_areas(state, name, peer.areas());
+    if constexpr (requires { peer.areas(); }) check_areas(state, name + "/" + std::to_string(i), peer.areas());
     peer.clear();
+    i = (i + 1) % peers.size();
     state.ResumeTiming();
   }
 }
@@ -293,7 +296,7 @@ void measure(benchmark::State& state, const std::string& name, const Scene& scen
 template <class Peer>
 void register_peer(const std::string& scene_name, const std::string& peer_name, const Scene& scene) {
   benchmark::RegisterBenchmark((scene_name + "/" + peer_name).c_str(), [=](benchmark::State& state) {
-    measure<Peer>(state, scene_name, scene);
+    measure<Peer>(state, scene_name, variations(scene));
   })->Unit(benchmark::kMicrosecond);
 }
 

@@ -116,7 +116,8 @@ BOOST_AUTO_TEST_CASE(faults_are_found) {
   {
     Graph graph;
     const Loop_vertex_index v = graph.add_vertex(Node_index(0));
-    const Loop_coedge_index h = graph.add_edge(v, v, {Node_index(0), Node_index(1), Node_index(2), Node_index(0)});
+    const std::vector<Node_index> nodes{Node_index(0), Node_index(1), Node_index(2), Node_index(0)};
+    const Loop_coedge_index h = graph.add_edge(v, v, nodes);
     graph.set_next(h, h);
     graph.set_next(graph.opposite(h), graph.opposite(h));
     graph.add_loop_face({1, 1}, h);

@@ -50,10 +50,7 @@ class Node_chains {
     const std::uint32_t from = static_cast<std::uint32_t>(other.nodes_before(first));
     const std::uint32_t size = static_cast<std::uint32_t>(nodes_.size());
     nodes_.insert(nodes_.end(), other.nodes_.begin() + from, other.nodes_.begin() + other.ends_[last - 1]);
-    const auto moved = [from, size](std::uint32_t end) { return end - from + size; };
-    const std::size_t chains = ends_.size();
-    ends_.resize(chains + last - first);
-    std::transform(other.ends_.begin() + first, other.ends_.begin() + last, ends_.begin() + chains, moved);
+    for (std::size_t c = first; c < last; ++c) ends_.push_back(other.ends_[c] - from + size);
   }
   void close() { ends_.push_back(static_cast<std::uint32_t>(nodes_.size())); }
 

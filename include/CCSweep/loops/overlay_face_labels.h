@@ -58,8 +58,19 @@ class Face_labels {
       states_[face] = State::known;
       label(face, set) = said;
     } else if (label(face, set) != said) {
-      refuse(h, set);
+      refuse(h, set, face == 0 ? Sides{} : contradiction(h, set));
     }
+  }
+
+  // What another edge around the same face says.
+  Sides contradiction(Number h, int set) const {
+    const Sides said = map_.sides(h, set);
+    Sides result;
+    for_each_halfedge(map_.face(h), [&](Number g) {
+      const Sides sides = map_.sides(g, set);
+      if (sides.left != sides.right && sides.left != said.left) result = sides;
+    });
+    return result;
   }
 
   // No edge around the other faces speaks: those that are connected share the label of any known face next to them.
@@ -71,7 +82,8 @@ class Face_labels {
       states_[start] = State::visited;
       int found = Loop_label::none;
       for (std::size_t i = 0; i < region.size(); ++i) {
-        for_each_neighbour(region[i], [&](Number face) {
+        for_each_halfedge(region[i], [&](Number h) {
+          const Number face = map_.face(h ^ 1);
           if (states_[face] == State::known) found = label(face, set);
           if (states_[face] != State::unknown) return;
           states_[face] = State::visited;
@@ -86,11 +98,11 @@ class Face_labels {
   }
 
   template <class Function>
-  void for_each_neighbour(Number face, const Function& f) const {
+  void for_each_halfedge(Number face, const Function& f) const {
     map_.for_each_cycle(face, [&](Number start) {
       Number h = start;
       do {
-        f(map_.face(h ^ 1));
+        f(h);
         h = map_.next(h);
       } while (h != start);
     });
@@ -103,9 +115,10 @@ class Face_labels {
     }
   }
 
-  [[noreturn]] void refuse(Number h, int set) {
+  [[noreturn]] void refuse(Number h, int set, const Sides& contradiction = {}) {
     const Sides sides = map_.sides(h, set);
-    std::vector<int> patches{sides.left, sides.right, label(map_.face(h), set), label(map_.face(h ^ 1), set)};
+    std::vector<int> patches{sides.left, sides.right, contradiction.left, contradiction.right};
+    for (const Number side : {h, h ^ 1}) patches.push_back(label(map_.face(side), set));
     std::sort(patches.begin(), patches.end());
     patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
     std::erase(patches, Loop_label::none);
