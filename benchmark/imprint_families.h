@@ -120,14 +120,14 @@ inline Scene turned_sources(Scene scene, double angle) {
   return scene;
 }
 
-// Scenes that differ by small turns, to be measured one after another. Nobody imprints one layer over and over: a
-// processor that does so soon knows all the branches of a small scene by heart, and what is left of searching in a tree
-// is a third of what it costs once.
-inline std::vector<Scene> variations(const Scene& scene) {
+// Scenes that differ by turns of their sources, to be measured one after another. Nobody imprints one layer over and
+// over: a processor that does so soon knows all the branches of a small scene by heart, and what is left of searching
+// in a tree is a third of what it costs once.
+inline std::vector<Scene> variations(const Scene& scene, double turn) {
   constexpr std::size_t segments = 1 << 16, most = 32;
   const std::size_t number = std::clamp<std::size_t>(segments / size(scene.sources), 1, most);
   std::vector<Scene> result;
-  for (std::size_t i = 0; i < number; ++i) result.push_back(turned_sources(scene, 0.001 * static_cast<double>(i)));
+  for (std::size_t i = 0; i < number; ++i) result.push_back(turned_sources(scene, turn * static_cast<double>(i)));
   return result;
 }
 
