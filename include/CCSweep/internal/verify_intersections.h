@@ -7,15 +7,21 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <map>
 #include <unordered_map>
+#include <vector>
 
 namespace CCSweep::internal::verification {
 
 /// The parts of a surface that are plainly free of overlap: an edge-connected group of triangles of one patch that
-/// are all turned the same way when one coordinate is dropped, and whose boundary does not cross itself there, is
-/// the graph of a function. Pairs inside it need no test, which matters for planar caps with many nodes, where
-/// nearly every pair of long thin triangles has overlapping boxes.
+/// are all turned the same way when one coordinate is dropped, and whose boundary does not cross itself there and has
+/// one outer curve only, is the graph of a function: how often the group covers a point there is how often its boundary
+/// winds around that. Pairs inside it need no test, which matters for planar caps with many nodes, where nearly every
+/// pair of long thin triangles has overlapping boxes.
 template <class Kernel>
 class Graph_regions {
   using Point_2 = typename Kernel::Point_2;
@@ -88,9 +94,12 @@ class Graph_regions {
   }
 
   bool is_turned_well(std::uint32_t t) const {
-    const Axis& axis = axes_[t];
     const Triple& p = surface_.points[t];
-    const CGAL::Orientation o = CGAL::orientation(projected(p[0], axis), projected(p[1], axis), projected(p[2], axis));
+    return is_turned(p[0], p[1], p[2], axes_[t]);
+  }
+
+  bool is_turned(std::uint32_t p, std::uint32_t q, std::uint32_t r, const Axis& axis) const {
+    const CGAL::Orientation o = CGAL::orientation(projected(p, axis), projected(q, axis), projected(r, axis));
     return o == (axis.positive ? CGAL::POSITIVE : CGAL::NEGATIVE);
   }
 
@@ -102,7 +111,40 @@ class Graph_regions {
       if (leader != groups_.find(surface_.opposite[h] / 3)) boundary[leader].push_back(h);
     }
     for (const auto& [leader, halfedges] : boundary)
-      if (halfedges.size() > 3) is_graph_[leader] = is_simple(halfedges, axes_[leader]);
+      if (halfedges.size() > 3)
+        is_graph_[leader] = is_simple(halfedges, axes_[leader]) && has_one_outer_curve(halfedges, axes_[leader]);
+  }
+
+  /// For a simple boundary, which is taken apart into closed curves that visit each of their points once.
+  bool has_one_outer_curve(const std::vector<std::uint32_t>& halfedges, const Axis& axis) const {
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> onward;
+    for (std::uint32_t h : halfedges) onward[ends(h).first].push_back(ends(h).second);
+    std::size_t outer = 0;
+    for (std::uint32_t h : halfedges) {
+      std::vector<std::uint32_t> path{ends(h).first};
+      std::unordered_map<std::uint32_t, std::size_t> place{{path.front(), 0}};
+      while (!onward[path.back()].empty()) {
+        std::vector<std::uint32_t>& next = onward[path.back()];
+        path.push_back(next.back());
+        next.pop_back();
+        const auto [at, is_new] = place.try_emplace(path.back(), path.size() - 1);
+        if (is_new) continue;
+        outer += is_outer({path.begin() + static_cast<std::ptrdiff_t>(at->second), path.end() - 1}, axis);
+        for (; path.size() > at->second + 1; path.pop_back())
+          if (path.back() != at->first) place.erase(path.back());
+      }
+    }
+    return outer == 1;
+  }
+
+  /// Whether a simple closed curve has the region on its inner side: by its turn at an extreme point.
+  bool is_outer(const std::vector<std::uint32_t>& curve, const Axis& axis) const {
+    const auto extreme = std::min_element(curve.begin(), curve.end(), [&](std::uint32_t p, std::uint32_t q) {
+      return CGAL::compare_xy(projected(p, axis), projected(q, axis)) == CGAL::SMALLER;
+    });
+    const std::uint32_t before = extreme == curve.begin() ? curve.back() : *std::prev(extreme);
+    const std::uint32_t after = std::next(extreme) == curve.end() ? curve.front() : *std::next(extreme);
+    return is_turned(before, *extreme, after, axis);
   }
 
   bool is_simple(const std::vector<std::uint32_t>& halfedges, const Axis& axis) const {
