@@ -293,11 +293,30 @@ void measure(benchmark::State& state, const std::string& name, const std::vector
   }
 }
 
+// Scenes of a name and the turn from one to the next.
+struct Series {
+  std::string name;
+  Scene scene;
+  double turn;
+};
+
 template <class Peer>
-void register_peer(const std::string& scene_name, const std::string& peer_name, const Scene& scene, double turn) {
-  benchmark::RegisterBenchmark((scene_name + "/" + peer_name).c_str(), [=](benchmark::State& state) {
-    measure<Peer>(state, scene_name, variations(scene, turn));
+void add(const Series& series, const std::string& peer) {
+  benchmark::RegisterBenchmark((series.name + "/" + peer).c_str(), [series](benchmark::State& state) {
+    measure<Peer>(state, series.name, variations(series.scene, series.turn));
   })->Unit(benchmark::kMicrosecond);
+}
+
+void add_all(const Series& series) {
+  add<Ccsweep_rtree>(series, "ccsweep_rtree");
+  add<Ccsweep_runs>(series, "ccsweep_runs");
+  add<Ccsweep_tolerant>(series, "ccsweep_tolerant");
+  add<Bound>(series, "bound");
+  add<Cgal_overlay>(series, "cgal_overlay");
+  add<Cgal>(series, "cgal");
+  if (series.scene.sources.size() > 1) return;  // what follows takes two faces only
+  add<Boost_geometry>(series, "boost");
+  add<Clipper>(series, "clipper");
 }
 
 void register_all() {
@@ -311,32 +330,13 @@ void register_all() {
                                                {Family::quarter, "quarter"},
                                                {Family::root_holes, "root_holes"},
                                                {Family::quarter_holes, "quarter_holes"}};
-  for (const auto& [family, family_name] : families) {
+  for (const auto& [family, name] : families) {
     for (std::size_t n : {100, 1000, 10000, 100000}) {
-      const std::string name = "imprint/" + family_name + "/" + std::to_string(n);
-      const Scene scene = two_faces(family, n);
-      const double turn = 0.001;  // the holes must still meet
-      register_peer<Ccsweep_rtree>(name, "ccsweep_rtree", scene, turn);
-      register_peer<Ccsweep_runs>(name, "ccsweep_runs", scene, turn);
-      register_peer<Ccsweep_tolerant>(name, "ccsweep_tolerant", scene, turn);
-      register_peer<Bound>(name, "bound", scene, turn);
-      register_peer<Cgal_overlay>(name, "cgal_overlay", scene, turn);
-      register_peer<Cgal>(name, "cgal", scene, turn);
-      register_peer<Boost_geometry>(name, "boost", scene, turn);
-      register_peer<Clipper>(name, "clipper", scene, turn);
+      constexpr double turn = 0.001;  // the holes must still meet
+      add_all({"imprint/" + name + "/" + std::to_string(n), two_faces(family, n), turn});
     }
   }
-  for (std::size_t m : {4, 8, 16, 32, 64}) {
-    const std::string name = "imprint/layer/" + std::to_string(m);
-    const Scene scene = layer(m);
-    const double turn = 0.02;
-    register_peer<Ccsweep_rtree>(name, "ccsweep_rtree", scene, turn);
-    register_peer<Ccsweep_runs>(name, "ccsweep_runs", scene, turn);
-    register_peer<Ccsweep_tolerant>(name, "ccsweep_tolerant", scene, turn);
-    register_peer<Bound>(name, "bound", scene, turn);
-    register_peer<Cgal_overlay>(name, "cgal_overlay", scene, turn);
-    register_peer<Cgal>(name, "cgal", scene, turn);
-  }
+  for (std::size_t m : {4, 8, 16, 32, 64}) add_all({"imprint/layer/" + std::to_string(m), layer(m), 0.02});
 }
 
 const bool registered = (register_all(), true);
