@@ -172,6 +172,8 @@ BOOST_AUTO_TEST_CASE(parts_that_failed) {
            Trial{Shape::fan, 6, 1},      // caps beside one another, at distances that the fan makes differ
            Trial{Shape::twisted, 9, 0},  // cuts along walls that bend between two layers
            Trial{Shape::slanted, 9, 32},  // no cap across the sweep, but upright walls
+           Trial{Shape::domed, 8, 6},     // a round pocket, higher in the mean than the dome around it
+           Trial{Shape::domed, 0, 8},     // caps that no curve ties but a wall does
        })
     BOOST_TEST_CONTEXT(t.name()) {
       const Swept_part swept = make(t.shape, random_parts::all_families[t.family], t.seed);

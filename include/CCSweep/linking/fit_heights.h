@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -136,6 +137,19 @@ Eigen::VectorXd fitted_heights(const std::vector<Cap_group>& groups, const std::
   return m.ldlt().solve(right);
 }
 
+// The curves of a straight sweep; and where walls without feature curves, a round pocket's for one, join groups that no
+// curve does, the paths up those.
+template <class Traits>
+std::vector<Rising_curve> straight_curves(const Part<Traits>& part, const Roles& roles,
+                                          const std::vector<int>& group_of_patch) {
+  std::vector<Rising_curve> result = rising_curves(part, roles, group_of_patch);
+  std::set<std::pair<int, int>> joined;
+  for (const Rising_curve& curve : result) joined.emplace(curve.low, curve.high);
+  for (Rising_curve& path : rising_paths(part, roles, group_of_patch))
+    if (joined.count({path.low, path.high}) == 0) result.push_back(std::move(path));
+  return result;
+}
+
 // Bent groups have no one height. The curves that run up the linking faces from one group to another tell how far
 // apart they are: the heights become the least squares fit of these distances, held weakly at the means, which also
 // places the groups that no curve ties. Of a sweep that bends, the fit also heeds which caps stand beside which curves.
@@ -145,7 +159,7 @@ void fit_heights(const Part<Traits>& part, const Roles& roles, std::vector<Cap_g
   std::vector<int> group_of_patch(part.number_of_patches(), -1);
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (Patch_index p : groups[g].caps) group_of_patch[p.value()] = static_cast<int>(g);
-  const auto curves = roles.is_straight() ? rising_curves(part, roles, group_of_patch)
+  const auto curves = roles.is_straight() ? straight_curves(part, roles, group_of_patch)
                                           : rising_paths(part, roles, group_of_patch);
   for (const Rising_curve& c : curves)
     for (Cap_group* group : {&groups[c.low], &groups[c.high]})
