@@ -32,6 +32,7 @@ struct Part {
   std::vector<Patch_index> patch_of_face;       ///< by face
   std::vector<int> patch_id;                    ///< by patch: the id of the input
   std::vector<std::vector<Face>> faces;         ///< by patch
+  std::vector<std::vector<Halfedge>> border;    ///< by patch: the sides of its faces along feature edges
   std::vector<Face> largest_face;               ///< by patch
   std::vector<bool> planar;                     ///< by patch: all its vertices lie in one plane
   std::vector<Vector> normal;                   ///< by face: unit normal
