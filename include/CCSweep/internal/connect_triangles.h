@@ -62,6 +62,7 @@ class Triangle_connector {
   // The halfedge from a to b: opposite to one that is there, or the first of a new edge. Invalid where it is there
   // already or where there are too many edges.
   Halfedge side(Size a, Size b) {
+    if (a == b) return Halfedge();
     if (const Size edge = edge_from(b, a); edge != none) {
       const Halfedge back(2 * edge + 1);
       return mesh_.face(back).is_valid() ? Halfedge() : back;

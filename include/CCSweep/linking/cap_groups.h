@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CCSweep::internal {
@@ -35,14 +34,11 @@ std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) 
   const auto& mesh = part.mesh;
   Union_find sets(part.number_of_patches());
   auto is_cap = [&](std::size_t p) { return roles.of_patch[p] != Role::linking; };
-  for (auto v : mesh.vertices()) {
-    std::optional<std::size_t> first;
-    for (auto f : mesh.faces_around_target(mesh.halfedge(v))) {
-      const std::size_t p = part.patch(f).value();
-      if (!is_cap(p)) continue;
-      if (first) sets.join(*first, p);
-      first = p;
-    }
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    if (!is_cap(p)) continue;
+    for (auto h : part.border[p])
+      for (auto f : mesh.faces_around_target(h))
+        if (is_cap(part.patch(f).value())) sets.join(p, part.patch(f).value());
   }
   std::vector<Cap_group> groups;
   std::vector<std::size_t> group_of(part.number_of_patches());

@@ -74,9 +74,16 @@ void find_patches(Part<Traits>& part, const std::vector<int>& id_of_face) {
     part.patch_of_face[f] = patch;
     part.faces[patch.value()].push_back(f);
   }
-  for (const auto& faces : part.faces)
-    part.largest_face.push_back(*std::max_element(
-        faces.begin(), faces.end(), [&](auto f, auto g) { return part.area[f] < part.area[g]; }));
+  for (const auto& faces : part.faces) {
+    auto largest = faces.front();
+    double area = 0;
+    for (auto f : faces) {
+      area += part.area[f];
+      if (part.area[f] > part.area[largest]) largest = f;
+    }
+    part.largest_face.push_back(largest);
+    part.area_of_patch.push_back(area);
+  }
 }
 
 // Finds the feature edges and the corners. Returns the number of feature edges at each vertex.

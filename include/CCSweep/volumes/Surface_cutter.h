@@ -37,6 +37,7 @@ class Surface_cutter {
 
  public:
   explicit Surface_cutter(const Part_type& part) : part_(part) {
+    surface_.points.reserve(part.mesh.number_of_vertices());
     for (auto v : part.mesh.vertices()) surface_.points.push_back(part.point(v));
     where_.reserve(surface_.points.size());
     for (auto v : part.mesh.vertices()) where_.push_back(Surface_location::vertex(v));
@@ -86,6 +87,9 @@ class Surface_cutter {
 
   Cut_surface<Traits> run() {
     sort_edges();
+    find_met_faces();
+    surface_.triangles.reserve(part_.mesh.number_of_faces());
+    surface_.patch.reserve(part_.mesh.number_of_faces());
     for (std::size_t p = 0; p < part_.number_of_patches(); ++p) {
       const auto curves = curves_of_patch_.find(Patch_index(p));
       if (part_.planar[p] && curves != curves_of_patch_.end())
@@ -182,6 +186,14 @@ class Surface_cutter {
     return Face();
   }
 
+  // Where nodes lie on edges or curves run.
+  void find_met_faces() {
+    is_met_.assign(part_.mesh.number_of_faces(), false);
+    for (const auto& [e, on_edge] : on_edge_)
+      for (Face f : faces_at(part_, Surface_location::edge(e, 0))) is_met_[f] = true;
+    for (const auto& [f, curves] : curves_of_face_) is_met_[f] = true;
+  }
+
   void sort_edges() {
     for (auto& [e, on_edge] : on_edge_) {
       std::sort(on_edge.begin(), on_edge.end());
@@ -220,26 +232,21 @@ class Surface_cutter {
   void triangulate_patch(Patch_index patch, const std::vector<Vertex_pair>& curves) {
     Planar_region<Traits> region;
     region.curves = curves;
-    const auto& mesh = part_.mesh;
-    Face largest = part_.faces[patch.value()].front();
-    for (Face f : part_.faces[patch.value()]) {
-      if (part_.area[f] > part_.area[largest]) largest = f;
-      for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        if (part_.feature[mesh.edge(h)]) add_boundary(h, region);
-    }
-    add_region(region, part_.normal[largest], patch);
+    for (Halfedge h : part_.border[patch.value()]) add_boundary(h, region);
+    add_region(region, part_.normal[part_.largest_face[patch.value()]], patch);
   }
 
   void triangulate_face(Face f) {
     const auto& mesh = part_.mesh;
-    const auto curves = curves_of_face_.find(f);
+    const Halfedge h = mesh.halfedge(f);
+    if (!is_met_[f]) {
+      add_triangle({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}, part_.patch(f));
+      return;
+    }
     Planar_region<Traits> region;
-    if (curves != curves_of_face_.end()) region.curves = curves->second;
-    for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) add_boundary(h, region);
-    if (region.curves.empty() && region.boundary.size() == 3)
-      add_triangle({region.boundary[0].first, region.boundary[1].first, region.boundary[2].first}, part_.patch(f));
-    else
-      add_region(region, part_.normal[f], part_.patch(f));
+    if (const auto curves = curves_of_face_.find(f); curves != curves_of_face_.end()) region.curves = curves->second;
+    for (Halfedge side : mesh.halfedges_around_face(h)) add_boundary(side, region);
+    add_region(region, part_.normal[f], part_.patch(f));
   }
 
   void add_triangle(const Triangle& t, Patch_index patch) {
@@ -254,6 +261,7 @@ class Surface_cutter {
   std::set<Vertex_pair> drawn_;
   std::map<Patch_index, std::vector<Vertex_pair>> curves_of_patch_;
   std::map<Face, std::vector<Vertex_pair>> curves_of_face_;
+  std::vector<bool> is_met_;  // by face
 };
 
 }  // namespace CCSweep::internal

@@ -4,6 +4,7 @@
 #define CCSWEEP_VOLUMES_MAKE_SUB_VOLUMES_H
 
 #include <CCSweep/Status.h>
+#include <CCSweep/internal/connect_triangles.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/Layering.h>
 #include <CCSweep/loops/Layered_loops.h>
@@ -147,9 +148,11 @@ class Sub_volume_builder {
                      const std::vector<Patch_index>& label, const Cut_triangles& cuts)
       : part_(part), roles_(roles), surface_(surface), cuts_(cuts) {
     first_cut_id_ = *std::max_element(part.patch_id.begin(), part.patch_id.end()) + 1;
+    std::vector<Piece>* pieces = nullptr;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const Patch_index patch = surface.patch[t];
-      pieces_[label[t]].push_back({surface.triangles[t], part.id(patch), roles.of_patch[patch.value()]});
+      if (t == 0 || label[t] != label[t - 1]) pieces = &pieces_[label[t]];
+      pieces->push_back({surface.triangles[t], part.id(patch), roles.of_patch[patch.value()]});
     }
     for (std::size_t t = 0; t < cuts.triangles.size(); ++t) {
       const Triangle& v = cuts.triangles[t];
@@ -182,36 +185,87 @@ class Sub_volume_builder {
     Role role;
   };
 
+  // The triangles of a sub-volume over vertices of its own.
+  struct Numbered {
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> vertex_of;  // of the surface
+  };
+
   Sub_volume<Point_3> make_volume(Patch_index target, const std::vector<Piece>& pieces) const {
     std::vector<Triangle> triangles;
+    triangles.reserve(pieces.size());
     for (const Piece& p : pieces) triangles.push_back(p.vertices);
-    const auto fans = Fan_separator::run(
-        triangles, [&](std::uint32_t v) { return Part<Traits>::coordinates(surface_.points[v]); });
-    if (!fans) report_open(target, triangles);
     Sub_volume<Point_3> volume;
     volume.target = part_.id(target);
     auto& mesh = volume.mesh;
-    std::vector<const Point_3*> point_of_fan;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        point_of_fan.resize(std::max(point_of_fan.size(), (*fans)[t][k] + 1));
-        point_of_fan[(*fans)[t][k]] = &surface_.points[triangles[t][k]];
-      }
-    mesh.reserve(point_of_fan.size(), 3 * pieces.size() / 2, pieces.size());
-    for (const Point_3* p : point_of_fan) mesh.add_vertex(*p);
+    // Few touch themselves and need their fans told apart.
+    if (!connect(numbered_by_vertices(triangles), mesh)) {
+      const auto numbered = numbered_by_fans(triangles);
+      if (!numbered || !connect(*numbered, mesh)) report_open(target, triangles);
+    }
     auto patch_id = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::patch_id_map, -1);
     auto role = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::role_map, 0);
-    std::set<int> sources;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      auto vertex = [&](int k) { return CGAL::SM_Vertex_index(static_cast<std::uint32_t>((*fans)[t][k])); };
-      const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
-      if (!face.is_valid()) report_open(target, triangles);
-      patch_id.first[face] = pieces[t].patch_id;
-      role.first[face] = static_cast<int>(pieces[t].role);
-      if (pieces[t].role == Role::source) sources.insert(pieces[t].patch_id);
+    for (auto f : mesh.faces()) {
+      patch_id.first[f] = pieces[f].patch_id;
+      role.first[f] = static_cast<int>(pieces[f].role);
     }
-    volume.sources.assign(sources.begin(), sources.end());
+    volume.sources = sources(pieces);
     return volume;
+  }
+
+  static std::vector<int> sources(const std::vector<Piece>& pieces) {
+    std::set<int> ids;
+    for (std::size_t t = 0; t < pieces.size(); ++t)
+      if (pieces[t].role == Role::source && (t == 0 || pieces[t].patch_id != pieces[t - 1].patch_id))
+        ids.insert(pieces[t].patch_id);
+    return {ids.begin(), ids.end()};
+  }
+
+  Numbered numbered_by_vertices(const std::vector<Triangle>& triangles) const {
+    std::uint32_t least = static_cast<std::uint32_t>(surface_.points.size()), most = 0;
+    for (const Triangle& t : triangles)
+      for (std::uint32_t v : t) {
+        least = std::min(least, v);
+        most = std::max(most, v);
+      }
+    std::vector<std::uint32_t> number(most + 1 - least, 0);
+    for (const Triangle& t : triangles)
+      for (std::uint32_t v : t) number[v - least] = 1;
+    Numbered result;
+    for (std::uint32_t v = least; v <= most; ++v)
+      if (number[v - least] != 0) {
+        number[v - least] = static_cast<std::uint32_t>(result.vertex_of.size());
+        result.vertex_of.push_back(v);
+      }
+    result.triangles.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+      result.triangles.push_back({number[t[0] - least], number[t[1] - least], number[t[2] - least]});
+    return result;
+  }
+
+  std::optional<Numbered> numbered_by_fans(const std::vector<Triangle>& triangles) const {
+    const auto fans = Fan_separator::run(
+        triangles, [&](std::uint32_t v) { return Part<Traits>::coordinates(surface_.points[v]); });
+    if (!fans) return std::nullopt;
+    Numbered result;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      auto& corners = result.triangles.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t fan = (*fans)[t][k];
+        corners[k] = static_cast<std::uint32_t>(fan);
+        result.vertex_of.resize(std::max(result.vertex_of.size(), fan + 1));
+        result.vertex_of[fan] = triangles[t][k];
+      }
+    }
+    return result;
+  }
+
+  // Returns whether the triangles are a closed 2-manifold.
+  bool connect(const Numbered& numbered, typename Sub_volume<Point_3>::Mesh& mesh) const {
+    mesh.clear();
+    mesh.resize(static_cast<std::uint32_t>(numbered.vertex_of.size()), 0, 0);
+    for (auto v : mesh.vertices()) mesh.point(v) = surface_.points[numbered.vertex_of[v]];
+    return Triangle_connector<Point_3>::run(numbered.triangles, mesh) && has_single_fans(mesh);
   }
 
   // The place is the first edge that does not run as often forth as back.
