@@ -11,8 +11,8 @@
 #include <CCSweep/part/Roles.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,7 +61,7 @@ class Wall_tracer {
     bool is_point = false;
   };
 
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
   double parameter(Vertex v) const { return layering_.parameter[v]; }
   bool is_wall(Face f) const { return roles_.of_patch[part_.patch(f).value()] == Role::linking; }
@@ -185,26 +185,26 @@ class Wall_tracer {
     const double low = layering_.layers[slab], high = layering_.layers[slab + 1];
     std::vector<Face> reached;
     const auto reach = [&](Face f, std::size_t bottom) {
-      if (bottom_of_[f] != none) return false;
-      bottom_of_[f] = bottom;
+      bottom_of_[f] = static_cast<std::uint32_t>(bottom);
       reached.push_back(f);
-      return true;
     };
     for (std::size_t i = 0; i < bottoms.size(); ++i) {
       std::size_t next = reached.size();
-      if (!reach(bottoms[i], i)) report_unpaired(slab, bottoms[i]);
+      if (bottom_of_[bottoms[i]] != none) report_unpaired(slab, bottoms[i]);
+      reach(bottoms[i], i);
       for (; next < reached.size(); ++next) {
         for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(reached[next]))) {
+          const Face across = part_.mesh.face(part_.mesh.opposite(h));
+          if (bottom_of_[across] != none) continue;
           const double a = parameter(part_.mesh.source(h)), b = parameter(part_.mesh.target(h));
-          if (std::max(a, b) <= low || std::min(a, b) >= high) continue;
-          reach(part_.mesh.face(part_.mesh.opposite(h)), i);
+          if (std::max(a, b) > low && std::min(a, b) < high) reach(across, i);
         }
       }
     }
     std::vector<Wall_strip> strips(bottoms.size());
     std::vector<bool> paired(bottoms.size(), false);
     for (std::size_t j = 0; j < tops.size(); ++j) {
-      const std::size_t bottom = bottom_of_[tops[j]];
+      const std::uint32_t bottom = bottom_of_[tops[j]];
       if (bottom == none || paired[bottom]) report_unpaired(slab, tops[j]);
       paired[bottom] = true;
       strips[bottom] = {bottom, j, {}};
@@ -286,7 +286,7 @@ class Wall_tracer {
   const Layering& layering_;
   std::vector<std::vector<Face>> leaving_, arriving_;  // by layer
   std::vector<bool> sharp_;
-  std::vector<std::size_t> bottom_of_;  // per face, the loop at the bottom of the slab at hand that it is reached from
+  std::vector<std::uint32_t> bottom_of_;  // per face, the loop at the bottom of the slab at hand that it is reached from
   std::vector<bool> is_done_;           // per face, for the layer at hand
 };
 

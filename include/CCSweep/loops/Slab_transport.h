@@ -105,15 +105,19 @@ class Slab_transport {
 
   /// Makes the nodes above those that lie on no wall.
   void project_interior(Drawn_layer<Traits>& drawn) {
-    std::map<std::size_t, Layer_projection<Traits, PointIndex>> projections;
+    using Projection = Layer_projection<Traits, PointIndex>;
+    std::map<std::size_t, Projection> projections;
+    std::map<std::size_t, typename Projection::Walk> walks;
     for (const Cut& cut : cuts_)
       for (Node_index node : {cut.a, cut.b}) {
         auto [found, is_new] = image_.try_emplace({cut.barrel, node}, Node_index());
         if (!is_new) continue;
-        auto projection = projections.find(cut.barrel);
-        if (projection == projections.end())
-          projection = projections.emplace(cut.barrel, make_projection(cut)).first;
-        Vec3 p = projection->second(drawn.coordinates(node));
+        auto walk = walks.find(cut.barrel);
+        if (walk == walks.end()) {
+          const auto projection = projections.emplace(cut.barrel, make_projection(cut)).first;
+          walk = walks.emplace(cut.barrel, projection->second.walk()).first;
+        }
+        Vec3 p = walk->second(drawn.coordinates(node));
         // Between upright walls the residuals are but chord errors, which must not move nodes sideways.
         if (is_upright_) p = drawn.coordinates(node) + dot(up_, p - drawn.coordinates(node)) * up_;
         found->second = drawn.add_node(typename Traits::Point_3(p[0], p[1], p[2]), Surface_location(),
