@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace CCSweep::internal {
@@ -26,13 +25,13 @@ class Triangle_connector {
   using Face = CGAL::SM_Face_index;
 
  public:
-  using Triangle = std::array<std::uint32_t, 3>;
-
   /// Returns whether every edge has two triangles, which run along it in opposite senses; otherwise the mesh is left
   /// half made. Complexity: linear, where no vertex has very many triangles.
-  static bool run(std::span<const Triangle> triangles, Mesh& mesh) {
+  /// \param corners tells the three vertices of a triangle
+  template <class Triangle, class Corners>
+  static bool run(const std::vector<Triangle>& triangles, const Corners& corners, Mesh& mesh) {
     if (triangles.size() % 2 != 0) return false;
-    return Triangle_connector(triangles.size(), mesh).connect(triangles);
+    return Triangle_connector(triangles.size(), mesh).connect(triangles, corners);
   }
 
  private:
@@ -43,15 +42,17 @@ class Triangle_connector {
     mesh.resize(mesh.number_of_vertices(), static_cast<Size>(next_edge_.size()), static_cast<Size>(triangles));
   }
 
-  bool connect(std::span<const Triangle> triangles) {
+  template <class Triangle, class Corners>
+  bool connect(const std::vector<Triangle>& triangles, const Corners& corners) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const std::array<std::uint32_t, 3> v = corners(triangles[t]);
       std::array<Halfedge, 3> sides;
       const Face face(static_cast<Size>(t));
       for (std::size_t k = 0; k < 3; ++k) {
-        sides[k] = side(triangles[t][k], triangles[t][(k + 1) % 3]);
+        sides[k] = side(v[k], v[(k + 1) % 3]);
         if (!sides[k].is_valid()) return false;
         mesh_.set_face(sides[k], face);
-        mesh_.set_halfedge(Vertex(triangles[t][(k + 1) % 3]), sides[k]);
+        mesh_.set_halfedge(Vertex(v[(k + 1) % 3]), sides[k]);
       }
       for (std::size_t k = 0; k < 3; ++k) mesh_.set_next(sides[k], sides[(k + 1) % 3]);
       mesh_.set_halfedge(face, sides[2]);

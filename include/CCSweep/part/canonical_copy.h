@@ -12,11 +12,14 @@
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/sort/spreadsort/float_sort.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,15 +48,42 @@ class Canonical_vertices {
       const Point_3& p = get(point_of_, v);
       order.push_back({{p.x(), p.y(), p.z()}, v});
     }
-    std::sort(order.begin(), order.end(), [this](const Placed& a, const Placed& b) {
-      for (std::size_t i = 0; i < 3; ++i)
-        if (a.place[i] != b.place[i]) return a.place[i] < b.place[i];
-      return a.vertex != b.vertex && neighbours(a.vertex) < neighbours(b.vertex);
-    });
+    sort_from_axis<0>(order);
     return order;
   }
 
  private:
+  // By the coordinates from an axis on. In meshes many are equal, so that it pays to sort by one after another.
+  template <std::size_t axis>
+  void sort_from_axis(std::span<Placed> range) const {
+    const auto is_less = [](const Placed& a, const Placed& b) { return a.place[axis] < b.place[axis]; };
+    if constexpr (std::is_same_v<FT, double>)
+      boost::sort::spreadsort::float_sort(range.begin(), range.end(), Shifted<axis>(), is_less);
+    else
+      std::sort(range.begin(), range.end(), is_less);
+    for (std::size_t first = 0, last = 0; first < range.size(); first = last) {
+      while (last < range.size() && range[last].place[axis] == range[first].place[axis]) ++last;
+      if (last - first == 1) continue;
+      if constexpr (axis < 2)
+        sort_from_axis<axis + 1>(range.subspan(first, last - first));
+      else
+        sort_by_neighbours(range.subspan(first, last - first));
+    }
+  }
+
+  template <std::size_t axis>
+  struct Shifted {
+    std::int64_t operator()(const Placed& p, unsigned offset) const {
+      return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(p.place[axis]) >> offset;
+    }
+  };
+
+  void sort_by_neighbours(std::span<Placed> range) const {
+    std::sort(range.begin(), range.end(), [this](const Placed& a, const Placed& b) {
+      return a.vertex != b.vertex && neighbours(a.vertex) < neighbours(b.vertex);
+    });
+  }
+
   std::vector<Point_3> neighbours(Vertex v) const {
     std::vector<Point_3> points;
     for (auto h : CGAL::halfedges_around_target(v, mesh_)) points.push_back(get(point_of_, source(h, mesh_)));
@@ -93,15 +123,10 @@ std::vector<int> copy_in_canonical_order(const FaceGraph& input, VertexPointMap 
   bucket_sort(
       facets, mesh.number_of_vertices(), [](const Facet& f) { return f.corners[0]; },
       [](const Facet& f, const Facet& g) { return f.corners < g.corners; });
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Triangle_connector<Point_3>::run(facets, [](const Facet& f) { return f.corners; }, mesh);
   std::vector<int> id_of_face;
-  triangles.reserve(facets.size());
   id_of_face.reserve(facets.size());
-  for (const Facet& f : facets) {
-    triangles.push_back(f.corners);
-    id_of_face.push_back(f.id);
-  }
-  Triangle_connector<Point_3>::run(triangles, mesh);
+  for (const Facet& f : facets) id_of_face.push_back(f.id);
   return id_of_face;
 }
 

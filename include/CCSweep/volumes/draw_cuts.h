@@ -27,7 +27,7 @@ class Cut_drawer {
 
  public:
   Cut_drawer(const Part<Traits>& part, const Roles& roles, const Loops& loops, const std::vector<Cut_row>& rows)
-      : part_(part), roles_(roles), loops_(loops), rows_(rows), cutter_(part),
+      : part_(part), roles_(roles), loops_(loops), rows_(rows), cutter_(part, loops.nodes.size()),
         vertex_(loops.nodes.size(), Cut_surface<Traits>::none) {}
 
   Cut_surface<Traits> run() {

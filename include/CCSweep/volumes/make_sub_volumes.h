@@ -185,23 +185,16 @@ class Sub_volume_builder {
     Role role;
   };
 
-  // The triangles of a sub-volume over vertices of its own.
-  struct Numbered {
-    std::vector<Triangle> triangles;
-    std::vector<std::uint32_t> vertex_of;  // of the surface
-  };
+  using Mesh = typename Sub_volume<Point_3>::Mesh;
 
   Sub_volume<Point_3> make_volume(Patch_index target, const std::vector<Piece>& pieces) const {
-    std::vector<Triangle> triangles;
-    triangles.reserve(pieces.size());
-    for (const Piece& p : pieces) triangles.push_back(p.vertices);
     Sub_volume<Point_3> volume;
     volume.target = part_.id(target);
     auto& mesh = volume.mesh;
     // Few touch themselves and need their fans told apart.
-    if (!connect(numbered_by_vertices(triangles), mesh)) {
-      const auto numbered = numbered_by_fans(triangles);
-      if (!numbered || !connect(*numbered, mesh)) report_open(target, triangles);
+    if (!connect_vertices(pieces, mesh)) {
+      mesh.clear();
+      connect_fans(target, pieces, mesh);
     }
     auto patch_id = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::patch_id_map, -1);
     auto role = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::role_map, 0);
@@ -221,51 +214,55 @@ class Sub_volume_builder {
     return {ids.begin(), ids.end()};
   }
 
-  Numbered numbered_by_vertices(const std::vector<Triangle>& triangles) const {
-    std::uint32_t least = static_cast<std::uint32_t>(surface_.points.size()), most = 0;
-    for (const Triangle& t : triangles)
-      for (std::uint32_t v : t) {
-        least = std::min(least, v);
-        most = std::max(most, v);
-      }
-    std::vector<std::uint32_t> number(most + 1 - least, 0);
-    for (const Triangle& t : triangles)
-      for (std::uint32_t v : t) number[v - least] = 1;
-    Numbered result;
-    for (std::uint32_t v = least; v <= most; ++v)
-      if (number[v - least] != 0) {
-        number[v - least] = static_cast<std::uint32_t>(result.vertex_of.size());
-        result.vertex_of.push_back(v);
-      }
-    result.triangles.reserve(triangles.size());
-    for (const Triangle& t : triangles)
-      result.triangles.push_back({number[t[0] - least], number[t[1] - least], number[t[2] - least]});
-    return result;
+  // Makes the mesh over the vertices of the surface. Returns whether it is a closed 2-manifold.
+  bool connect_vertices(const std::vector<Piece>& pieces, Mesh& mesh) const {
+    constexpr std::uint32_t unused = static_cast<std::uint32_t>(-1);
+    std::uint32_t least = unused, most = 0;
+    for (const Piece& p : pieces) {
+      least = std::min({least, p.vertices[0], p.vertices[1], p.vertices[2]});
+      most = std::max({most, p.vertices[0], p.vertices[1], p.vertices[2]});
+    }
+    std::vector<std::uint32_t> number(most + 1 - least, unused);
+    for (const Piece& p : pieces)
+      for (std::uint32_t v : p.vertices) number[v - least] = 0;
+    std::vector<std::uint32_t> vertex_of;
+    for (std::uint32_t i = 0; i < number.size(); ++i) {
+      if (number[i] == unused) continue;
+      number[i] = static_cast<std::uint32_t>(vertex_of.size());
+      vertex_of.push_back(least + i);
+    }
+    add_vertices(vertex_of, mesh);
+    const auto corners = [&](const Piece& p) {
+      return Triangle{number[p.vertices[0] - least], number[p.vertices[1] - least], number[p.vertices[2] - least]};
+    };
+    return Triangle_connector<Point_3>::run(pieces, corners, mesh) && has_single_fans(mesh);
   }
 
-  std::optional<Numbered> numbered_by_fans(const std::vector<Triangle>& triangles) const {
+  // Makes the mesh with a vertex for each fan of triangles.
+  void connect_fans(Patch_index target, const std::vector<Piece>& pieces, Mesh& mesh) const {
+    std::vector<Triangle> triangles;
+    for (const Piece& p : pieces) triangles.push_back(p.vertices);
     const auto fans = Fan_separator::run(
         triangles, [&](std::uint32_t v) { return Part<Traits>::coordinates(surface_.points[v]); });
-    if (!fans) return std::nullopt;
-    Numbered result;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      auto& corners = result.triangles.emplace_back();
+    if (!fans) report_open(target, triangles);
+    std::vector<std::uint32_t> vertex_of;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t fan = (*fans)[t][k];
-        corners[k] = static_cast<std::uint32_t>(fan);
-        result.vertex_of.resize(std::max(result.vertex_of.size(), fan + 1));
-        result.vertex_of[fan] = triangles[t][k];
+        vertex_of.resize(std::max(vertex_of.size(), fan + 1));
+        vertex_of[fan] = triangles[t][k];
       }
-    }
-    return result;
+    add_vertices(vertex_of, mesh);
+    const auto corners = [](const std::array<std::size_t, 3>& f) {
+      return Triangle{static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]),
+                      static_cast<std::uint32_t>(f[2])};
+    };
+    if (!Triangle_connector<Point_3>::run(*fans, corners, mesh)) report_open(target, triangles);
   }
 
-  // Returns whether the triangles are a closed 2-manifold.
-  bool connect(const Numbered& numbered, typename Sub_volume<Point_3>::Mesh& mesh) const {
-    mesh.clear();
-    mesh.resize(static_cast<std::uint32_t>(numbered.vertex_of.size()), 0, 0);
-    for (auto v : mesh.vertices()) mesh.point(v) = surface_.points[numbered.vertex_of[v]];
-    return Triangle_connector<Point_3>::run(numbered.triangles, mesh) && has_single_fans(mesh);
+  void add_vertices(const std::vector<std::uint32_t>& vertex_of, Mesh& mesh) const {
+    mesh.resize(static_cast<std::uint32_t>(vertex_of.size()), 0, 0);
+    for (auto v : mesh.vertices()) mesh.point(v) = surface_.points[vertex_of[v]];
   }
 
   // The place is the first edge that does not run as often forth as back.
