@@ -286,8 +286,8 @@ class Wall_tracer {
   const Layering& layering_;
   std::vector<std::vector<Face>> leaving_, arriving_;  // by layer
   std::vector<bool> sharp_;
-  std::vector<std::uint32_t> bottom_of_;  // per face, the loop at the bottom of the slab at hand that it is reached from
-  std::vector<bool> is_done_;           // per face, for the layer at hand
+  std::vector<std::uint32_t> bottom_of_;  // per face: the loop at the bottom of the slab that it is reached from
+  std::vector<bool> is_done_;             // per face, for the layer at hand
 };
 
 }  // namespace internal
