@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each stage by itself, on parts small enough to know what it must hand on.
+#include <CCSweep/internal/connect_triangles.h>
 #include <CCSweep/linking/Column_map.h>
 #include <CCSweep/linking/make_layering.h>
 #include <CCSweep/linking/make_wall_sections.h>
@@ -11,6 +12,7 @@
 #include <CCSweep/part/make_part.h>
 #include <CCSweep/visitor.h>
 #include <CCSweep/volumes/draw_cuts.h>
+#include <CCSweep/volumes/follow_walls.h>
 #include <CCSweep/volumes/make_cut_rows.h>
 #include <CCSweep/volumes/make_sub_volumes.h>
 #include <CCSweep/volumes/separate_fans.h>
@@ -190,6 +192,13 @@ BOOST_AUTO_TEST_CASE(a_part_knows_its_patches_curves_and_corners) {
     BOOST_TEST(std::count(faces.begin(), faces.end(), f) == 1);
   }
   for (double error : part.chord_error) BOOST_TEST(error == 0);
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    BOOST_TEST(part.border[p].size() == 4u);
+    for (Part_type::Halfedge h : part.border[p]) {
+      BOOST_TEST(part.feature[part.mesh.edge(h)]);
+      BOOST_TEST((part.patch(part.mesh.face(h)) == Patch_index(p)));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_closed_curve_has_no_corner_and_is_known_for_an_arc) {
@@ -241,6 +250,51 @@ BOOST_AUTO_TEST_CASE(a_part_forgets_the_order_of_its_input) {
   for (Part_type::Vertex v : a.mesh.vertices()) BOOST_TEST((a.point(v) == b.point(v)));
   for (Part_type::Halfedge h : a.mesh.halfedges()) BOOST_TEST((a.mesh.target(h) == b.mesh.target(h)));
   BOOST_TEST((a.patch_of_face == b.patch_of_face));
+}
+
+// The mesh of triangles over vertices without places.
+struct Connected {
+  CGAL::Surface_mesh<Kernel::Point_3> mesh;
+  bool is_manifold = false;
+
+  explicit Connected(const std::vector<internal::Triangle>& triangles) {
+    for (const auto& t : triangles)
+      for (std::uint32_t v : t)
+        while (mesh.number_of_vertices() <= v) mesh.add_vertex(Kernel::Point_3(0, 0, 0));
+    const auto corners = [](const internal::Triangle& t) { return t; };
+    is_manifold = internal::Triangle_connector<Kernel::Point_3>::run(triangles, corners, mesh) &&
+                  internal::has_single_fans(mesh);
+  }
+};
+
+BOOST_AUTO_TEST_CASE(triangles_are_connected_as_if_added_one_by_one) {
+  const Soup soup = mesh_changes::shuffled(soup_of(block_with_hole()), 5);
+  const auto mesh = mesh_changes::mesh<Kernel::Point_3>(soup);
+  std::vector<internal::Triangle> triangles;
+  for (const auto& t : soup.triangles)
+    triangles.push_back({std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])});
+  const Connected connected(triangles);
+  BOOST_TEST_REQUIRE(connected.is_manifold);
+  BOOST_TEST_REQUIRE(connected.mesh.is_valid());
+  for (auto h : mesh.halfedges()) {
+    BOOST_TEST((connected.mesh.target(h) == mesh.target(h)));
+    BOOST_TEST((connected.mesh.next(h) == mesh.next(h)));
+    BOOST_TEST((connected.mesh.face(h) == mesh.face(h)));
+  }
+  for (auto v : mesh.vertices()) BOOST_TEST((connected.mesh.halfedge(v) == mesh.halfedge(v)));
+  for (auto f : mesh.faces()) BOOST_TEST((connected.mesh.halfedge(f) == mesh.halfedge(f)));
+}
+
+BOOST_AUTO_TEST_CASE(triangles_of_no_closed_manifold_are_not_connected) {
+  const std::vector<internal::Triangle> tetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  BOOST_TEST(Connected(tetrahedron).is_manifold);
+  auto open = tetrahedron, turned = tetrahedron, twice = tetrahedron, flat = tetrahedron, touching = tetrahedron;
+  open.pop_back();
+  std::swap(turned[3][0], turned[3][1]);
+  twice.insert(twice.end(), tetrahedron.begin(), tetrahedron.end());
+  flat.insert(flat.end(), {{0, 0, 1}, {0, 1, 0}});
+  touching.insert(touching.end(), {{0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {5, 0, 6}});
+  for (const auto& triangles : {open, turned, twice, flat, touching}) BOOST_TEST(!Connected(triangles).is_manifold);
 }
 
 BOOST_AUTO_TEST_CASE(caps_are_told_from_walls_and_fewest_targets_come_first) {
@@ -475,6 +529,38 @@ BOOST_AUTO_TEST_CASE(the_cut_surface_is_the_part_with_the_cuts_drawn_on_it) {
         for (std::size_t i = 0; i + 1 < path.size(); ++i) BOOST_TEST(edges.count({path[i], path[i + 1]}) == 1u);
       }
   }
+}
+
+// A column on a wall from node 0 to 1, an inner one beside it from node 2 to 3, and the vertices between on the wall.
+struct Two_columns {
+  Layered_loops<Kernel> loops;
+  Cut_surface<Kernel> surface;
+  std::vector<Cut_row> rows;
+
+  explicit Two_columns(const std::vector<Kernel::Point_3>& between) {
+    const Surface_location inside, wall = Surface_location::vertex(0);
+    surface.points = {{0, 0, 0}, {0, 0, 4}, {1, 0, 0}, {1, 0, 4}};
+    surface.vertex_of_node = {0, 1, 2, 3};
+    for (std::size_t n = 0; n < 4; ++n) loops.nodes.push_back({surface.points[n], n < 2 ? wall : inside, false});
+    std::vector<std::uint32_t> path{0};
+    for (const auto& p : between) {
+      path.push_back(static_cast<std::uint32_t>(surface.points.size()));
+      surface.points.push_back(p);
+    }
+    path.push_back(1);
+    surface.path_between[{0, 1}] = path;
+    rows.push_back({Layer_index(0), {Node_index(0), Node_index(2)}, {Node_index(1), Node_index(3)}, {}, {}, {}});
+    internal::Wall_follower<Kernel>(loops, rows, surface).run();
+  }
+};
+
+BOOST_AUTO_TEST_CASE(a_column_has_vertices_where_the_wall_beside_it_bends) {
+  // It bends at height 1, and from there leads straight over 2 to the top.
+  const Two_columns bent({{0.3, 0.1, 1}, {0.2, 0.1 * 2 / 3, 2}});
+  const auto path = bent.surface.path(2, 3);
+  BOOST_TEST_REQUIRE(path.size() == 3u);
+  BOOST_TEST((bent.surface.points[path[1]] == Kernel::Point_3(1, 0, 1)));
+  BOOST_TEST(Two_columns({{0, 0, 1}, {0, 0, 2}}).surface.path(2, 3).size() == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(sub_volumes_close_over_their_cuts) {

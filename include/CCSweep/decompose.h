@@ -18,6 +18,8 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,8 +43,6 @@ template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 class Decomposer {
   using Point_3 = typename Traits::Point_3;
   using Result_type = Decomposition<Point_3>;
-  static constexpr int refinements = 3;
-
  public:
   Decomposer(const Part<Traits>& part, const Options& options, Visitor& visitor, Stage_runner<Visitor>& run)
       : part_(part), options_(options), visitor_(visitor), run_(run) {}
@@ -111,31 +111,39 @@ class Decomposer {
     return "(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) + ")";
   }
 
-  // A result that fails is never returned; the layering is refined and tried again, boundedly: first by rows that pass
-  // through the vertices of the linking faces, then by more rows.
+  // A result that fails is never returned; it is refined and tried again, boundedly: first by cuts that follow the
+  // bends of the walls between two layers, then by rows that pass through the vertices of the linking faces, then by
+  // more rows.
   Result<Result_type> attempt_refined(const Roles& roles) {
+    constexpr std::array<Refinement, 5> refinements{{{},
+                                                     {.follows_walls = true},
+                                                     {.follows_walls = true, .through_vertices = true},
+                                                     {.follows_walls = true, .times_slabs = 2},
+                                                     {.follows_walls = true, .times_slabs = 4}}};
     std::optional<Status> failure;
-    for (int refinement = 0; refinement <= refinements; ++refinement) {
+    for (std::size_t i = 0; i < refinements.size(); ++i) {
       Result<Result_type> attempt = guarded([&] {
         Result_type result = Pipeline<Traits, SegmentIndex, PointIndex, Visitor>(part_, options_, visitor_, run_)(
-            roles, refinement);
+            roles, refinements[i]);
         run_(Stage::verification, [&] { return verified(result); });
         return result;
       });
       if (attempt) return attempt;
       if (!failure) failure = attempt.status();
-      if (!may_help_to_refine(failure->code, refinement)) break;
+      if (!may_help_to_refine(failure->code, i > 0)) break;
+      // Cuts that were not made can't follow anything.
+      if (i == 0 && failure->code != Status_code::verification_failed) ++i;
     }
     return *failure;
   }
 
   // Levels that seem to contradict each other and cuts that miss the walls may do so for the facets of walls that bend
   // between two layers, which more rows alone rarely mend.
-  static bool may_help_to_refine(Status_code code, int refinement) {
+  static bool may_help_to_refine(Status_code code, bool is_refined) {
     return code == Status_code::projection_folded || code == Status_code::imprint_failed ||
            code == Status_code::verification_failed ||
-           (refinement == 0 && (code == Status_code::inconsistent_levels || code == Status_code::cut_failed ||
-                                code == Status_code::sub_volume_not_closed));
+           (!is_refined && (code == Status_code::inconsistent_levels || code == Status_code::cut_failed ||
+                            code == Status_code::sub_volume_not_closed));
   }
 
   Result<bool> verified(const Result_type& result) const {

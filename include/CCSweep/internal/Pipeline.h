@@ -47,6 +47,13 @@ class Stage_runner {
   std::map<std::string, double> seconds_;
 };
 
+/// What an attempt does beyond the plain one.
+struct Refinement {
+  bool follows_walls = false;     ///< inner columns get vertices where the wall beside them bends
+  bool through_vertices = false;  ///< rows pass through the vertices of the linking faces
+  int times_slabs = 1;            ///< how many more slabs there are between two levels
+};
+
 /// The stages from the roles on (section 2, steps 1 to 7), for one choice of roles.
 template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 class Pipeline {
@@ -56,10 +63,10 @@ class Pipeline {
   Pipeline(const Part<Traits>& part, const Options& options, Visitor& visitor, Stage_runner<Visitor>& run)
       : part_(part), options_(options), visitor_(visitor), run_(run) {}
 
-  Decomposition<Point_3> operator()(const Roles& roles, int refinement) {
+  Decomposition<Point_3> operator()(const Roles& roles, const Refinement& refinement) {
     Layering_options layers = options_.layering;
-    layers.through_vertices = refinement == 1;
-    if (refinement > 1) layers.slabs *= 1 << (refinement - 1);
+    layers.through_vertices = refinement.through_vertices;
+    layers.slabs *= refinement.times_slabs;
     const double tolerance = options_.tolerance * part_.diagonal;
 
     const Layering layering = run_(Stage::layers, [&] { return make_layering(part_, roles, layers); });
@@ -72,7 +79,7 @@ class Pipeline {
     const auto rows = run_(Stage::decomposition_sets, [&] { return make_cut_rows(part_, layering, loops); });
     Decomposition<Point_3> result = run_(Stage::sub_volumes, [&] {
       return guarded([&] {
-        const auto surface = value_or_fail(draw_cuts(part_, roles, loops, rows));
+        const auto surface = value_or_fail(draw_cuts(part_, roles, loops, rows, refinement.follows_walls));
         return value_or_fail(make_sub_volumes(part_, roles, layering, loops, rows, surface));
       });
     });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace CCSweep::internal {
 // Disjoint sets of the numbers below n. The smallest member stands for its set, whatever the order of the unions.
 class Union_find {
  public:
-  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
+  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::uint32_t(0)); }
 
   std::size_t root(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -23,11 +24,11 @@ class Union_find {
   void join(std::size_t i, std::size_t j) {
     i = root(i);
     j = root(j);
-    parent_[std::max(i, j)] = std::min(i, j);
+    parent_[std::max(i, j)] = static_cast<std::uint32_t>(std::min(i, j));
   }
 
  private:
-  std::vector<std::size_t> parent_;
+  std::vector<std::uint32_t> parent_;
 };
 
 }  // namespace CCSweep::internal

@@ -3,6 +3,7 @@
 #ifndef CCSWEEP_INTERNAL_VERIFY_COVERAGE_H
 #define CCSWEEP_INTERNAL_VERIFY_COVERAGE_H
 
+#include <CCSweep/internal/verify_known.h>
 #include <CCSweep/internal/verify_partition.h>
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -38,38 +39,6 @@ inline std::vector<Edge> boundary_of(const std::vector<Triple>& triangles) {
   }
   return boundary;
 }
-
-/// A surface's triangles by their corners.
-class Known_triangles {
- public:
-  Known_triangles(const Surface& surface, std::size_t number_of_points)
-      : surface_(surface), first_(number_of_points + 1, 0), triangles_(surface.points.size()) {
-    for (const Triple& p : surface.points) ++first_[lowest(p) + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    std::vector<std::uint32_t> place(first_.begin(), first_.end() - 1);
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangles_[place[lowest(surface.points[t])]++] = t;
-  }
-
-  /// The triangle of a patch with these corners in this order, wherever it begins.
-  std::optional<std::uint32_t> find(const Triple& p, int patch) const {
-    const std::uint32_t corner = lowest(p);
-    for (std::uint32_t i = first_[corner]; i < first_[corner + 1]; ++i) {
-      const std::uint32_t t = triangles_[i];
-      if (surface_.patch[t] == patch && rotated(surface_.points[t]) == rotated(p)) return t;
-    }
-    return std::nullopt;
-  }
-
- private:
-  static std::uint32_t lowest(const Triple& p) { return *std::min_element(p.begin(), p.end()); }
-  static Triple rotated(Triple p) {
-    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
-    return p;
-  }
-
-  const Surface& surface_;
-  std::vector<std::uint32_t> first_, triangles_;  ///< by the lowest corner
-};
 
 /// The outer triangles against the input: each lies on the patch it names, turned the same way, and each connected
 /// piece of a patch keeps its area. As the outer triangles close (see `check_curves()`) and none is turned over,

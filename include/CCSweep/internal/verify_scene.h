@@ -190,11 +190,11 @@ std::vector<std::uint32_t> number_points(const std::vector<typename Kernel::Poin
   std::vector<std::uint32_t> order(all.size()), number(all.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const CGAL::Comparison_result c = CGAL::compare_xyz(all[a], all[b]);
-    return c == CGAL::SMALLER || (c == CGAL::EQUAL && a < b);
+    const auto &p = all[a], &q = all[b];
+    return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : p.z() != q.z() ? p.z() < q.z() : a < b;
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i == 0 || CGAL::compare_xyz(all[order[i - 1]], all[order[i]]) != CGAL::EQUAL) {
+    if (i == 0 || all[order[i - 1]] != all[order[i]]) {
       scene.points.push_back(all[order[i]]);
       scene.two_zeros.push_back(false);
     } else if (std::is_floating_point_v<typename Kernel::FT> && order[i - 1] >= result_begin) {

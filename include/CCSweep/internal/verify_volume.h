@@ -3,12 +3,18 @@
 #ifndef CCSWEEP_INTERNAL_VERIFY_VOLUME_H
 #define CCSWEEP_INTERNAL_VERIFY_VOLUME_H
 
+#include <CCSweep/internal/verify_known.h>
 #include <CCSweep/internal/verify_scene.h>
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Lazy_exact_nt.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace CCSweep::internal::verification {
 
@@ -31,28 +37,26 @@ class Exact_volume {
  public:
   using Number = std::conditional_t<rounded, CGAL::Exact_integer, decltype(exact_value(std::declval<const FT&>()))>;
 
-  explicit Exact_volume(const Scene<Kernel>& scene) {
-    [[maybe_unused]] const int unit = smallest_exponent(scene);
-    for (const auto& p : scene.points) {
-      if constexpr (rounded)
-        coordinates_.push_back({scaled(p.x(), unit), scaled(p.y(), unit), scaled(p.z(), unit)});
-      else
-        coordinates_.push_back({exact_value(p.x()), exact_value(p.y()), exact_value(p.z())});
-    }
+  explicit Exact_volume(const Scene<Kernel>& scene) : scene_(scene) {
+    if constexpr (rounded) unit_ = smallest_exponent(scene);
   }
 
   /// Six times the signed volume between a triangle and the plane z = 0.
   Number operator()(const Triple& t) const {
-    const auto &a = coordinates_[t[0]], &b = coordinates_[t[1]], &c = coordinates_[t[2]];
+    const auto a = coordinates(t[0]), b = coordinates(t[1]), c = coordinates(t[2]);
     const Number area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     return (a[2] + b[2] + c[2]) * area;
   }
 
-  static double ratio(const Number& a, const Number& b) {
-    if constexpr (rounded)
-      return CGAL::to_double(CGAL::Exact_rational(a) / CGAL::Exact_rational(b));
-    else
-      return CGAL::to_double(Number(a / b));
+  /// The quotient of an exact volume and a rounded one, which is positive.
+  double relative(const Number& six_volumes, double volume) const {
+    if constexpr (rounded) {
+      const CGAL::Exact_rational units(scaled(1, unit_));  // in a length of one
+      return CGAL::to_double(CGAL::Exact_rational(six_volumes) /
+                             (CGAL::Exact_rational(6 * volume) * units * units * units));
+    } else {
+      return CGAL::to_double(six_volumes) / (6 * volume);
+    }
   }
 
  private:
@@ -82,7 +86,16 @@ class Exact_volume {
     return result;
   }
 
-  std::vector<std::array<Number, 3>> coordinates_;
+  std::array<Number, 3> coordinates(std::uint32_t point) const {
+    const auto& p = scene_.points[point];
+    if constexpr (rounded)
+      return {scaled(p.x(), unit_), scaled(p.y(), unit_), scaled(p.z(), unit_)};
+    else
+      return {exact_value(p.x()), exact_value(p.y()), exact_value(p.z())};
+  }
+
+  const Scene<Kernel>& scene_;
+  int unit_ = 0;  // the exponent of the common power of two
 };
 
 /// The area of all triangles, rounded.
@@ -93,37 +106,73 @@ double area(const Scene<Kernel>& scene, const Surface& surface) {
   return sum;
 }
 
-/// Every sub-volume is positive; together they are, exactly, what their outer triangles enclose; and that is the
-/// input: exactly with exact numbers, else as far as the rounding of the vertices allows.
+/// The volume that a closed surface encloses, rounded, and a bound of its error.
+template <class Kernel>
+std::pair<double, double> rounded_volume(const Scene<Kernel>& scene, const Surface& surface) {
+  double sum = 0, most = 0;
+  for (const Triple& t : surface.points) {
+    const Place &a = scene.near[t[0]], &b = scene.near[t[1]], &c = scene.near[t[2]];
+    sum += dot(a, cross(b, c)) / 6;
+    most += length(a) * length(b) * length(c);
+  }
+  // A summand is off by some ulps, of which coordinates and products have one each, the sum by one for each summand.
+  return {sum, std::numeric_limits<double>::epsilon() * (64 + double(surface.points.size())) * most};
+}
+
+/// Whether the volume is positive. What rounding leaves open is decided by the exact sum.
+template <class Kernel>
+bool is_outward(const Scene<Kernel>& scene, const Surface& surface, const Exact_volume<Kernel>& volume) {
+  if (!scene.exact) {
+    const auto [rounded, error] = rounded_volume(scene, surface);
+    if (rounded > error) return true;
+  }
+  typename Exact_volume<Kernel>::Number sum(0);
+  for (const Triple& t : surface.points) sum += volume(t);
+  return sum > 0;
+}
+
+/// Six times the volume of all outer triangles without that of the input. Equal triangles cancel.
+template <class Kernel>
+typename Exact_volume<Kernel>::Number excess(const Scene<Kernel>& scene, const Exact_volume<Kernel>& volume) {
+  typename Exact_volume<Kernel>::Number sum(0);
+  const Known_triangles known(scene.input, scene.points.size());
+  std::vector<char> is_cancelled(scene.input.points.size(), false);
+  for (const Surface& surface : scene.volumes)
+    for (std::size_t t = 0; t < surface.points.size(); ++t) {
+      if (!scene.is_input_patch(surface.patch[t])) continue;
+      const auto same = known.find(surface.points[t], surface.patch[t]);
+      if (same && !is_cancelled[*same])
+        is_cancelled[*same] = true;
+      else
+        sum += volume(surface.points[t]);
+    }
+  for (std::size_t t = 0; t < is_cancelled.size(); ++t)
+    if (!is_cancelled[t]) sum -= volume(scene.input.points[t]);
+  return sum;
+}
+
+/// Every sub-volume is positive; together they are, exactly, what their outer triangles enclose, as the cuts enclose
+/// nothing; and that is the input: exactly with exact numbers, else as far as the rounding of the vertices allows.
 template <class Kernel>
 void check_volumes(const Scene<Kernel>& scene) {
   const Exact_volume<Kernel> volume(scene);
   using Number = typename Exact_volume<Kernel>::Number;
-  Number total(0), outer(0), input(0);
+  Number cuts(0);
   for (const Surface& surface : scene.volumes) {
-    Number sum(0);
-    for (std::size_t t = 0; t < surface.points.size(); ++t) {
-      const Number part = volume(surface.points[t]);
-      sum += part;
-      if (scene.is_input_patch(surface.patch[t])) outer += part;
-    }
-    if (!(sum > 0)) reject(surface.title + " is inside out: its volume is not positive", {surface.patch.front()});
-    total += sum;
+    if (!is_outward(scene, surface, volume))
+      reject(surface.title + " is inside out: its volume is not positive", {surface.patch.front()});
+    for (std::size_t t = 0; t < surface.points.size(); ++t)
+      if (!scene.is_input_patch(surface.patch[t])) cuts += volume(surface.points[t]);
   }
-  for (const Triple& t : scene.input.points) input += volume(t);
-  if (!(input > 0)) reject("the volume of the input is not positive");
-  if (total != outer) reject("the sub-volumes do not sum up to the volume that their outer triangles enclose");
-  if (total == input) return;
+  if (!is_outward(scene, scene.input, volume)) reject("the volume of the input is not positive");
+  if (cuts != 0) reject("the sub-volumes do not sum up to the volume that their outer triangles enclose");
+  const Number more = excess(scene, volume);
+  if (more == 0) return;
   if (scene.exact) reject("the sub-volumes do not sum up to the input");
   // Each vertex is rounded by up to an ulp of its coordinates; the surface then sweeps over that much volume.
-  const double input_volume = [&] {
-    double sum = 0;
-    for (const Triple& t : scene.input.points)
-      sum += dot(scene.near[t[0]], cross(scene.near[t[1]], scene.near[t[2]])) / 6;
-    return sum;
-  }();
+  const double input_volume = rounded_volume(scene, scene.input).first;
   const double slack = 1e-12 + 4e-15 * scene.extent * area(scene, scene.input) / input_volume;
-  const double error = std::abs(Exact_volume<Kernel>::ratio(Number(total - input), input));
+  const double error = std::abs(volume.relative(more, input_volume));
   if (error <= slack) return;
   std::ostringstream reason;
   reason << "the sub-volumes do not sum up to the input: the relative error is " << error;

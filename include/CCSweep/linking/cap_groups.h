@@ -10,7 +10,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CCSweep::internal {
@@ -18,9 +19,9 @@ namespace CCSweep::internal {
 // Caps that touch each other, along a curve or in a point, stand on one level.
 struct Cap_group {
   std::vector<Patch_index> caps;
-  double height = 0;  // mean over the area, along the sweep direction
+  double height = 0;  // mean, along the sweep direction
   bool flat = true;   // all in one plane across the sweep
-  Vec3 middle{}, ahead{};  // means over the area; `ahead` is where the sweep leads
+  Vec3 middle{}, ahead{};  // means over the area, unless flat; `ahead` is where the sweep leads
   double least_rise = 0;  // of the curves from here to other groups, where the height follows from them
 };
 
@@ -30,19 +31,52 @@ double height_resolution(const Part<Traits>& part) {
   return 1e-7 * part.diagonal + 1e-14 * part.largest_coordinate;
 }
 
+// The lowest and the highest height on a patch; on a planar one these are on its border.
+template <class Traits>
+std::pair<double, double> heights(const Part<Traits>& part, const Vec3& direction, Patch_index patch) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto add = [&](auto h) {
+    const double height = dot(direction, part.coordinates(part.mesh.target(h)));
+    low = std::min(low, height);
+    high = std::max(high, height);
+  };
+  if (part.planar[patch.value()])
+    std::for_each(part.border[patch.value()].begin(), part.border[patch.value()].end(), add);
+  else
+    for (auto f : part.faces[patch.value()])
+      for (auto h : part.mesh.halfedges_around_face(part.mesh.halfedge(f))) add(h);
+  return {low, high};
+}
+
+// The means of a group that is not flat.
+template <class Traits>
+void measure(const Part<Traits>& part, const Roles& roles, Cap_group& group) {
+  double area = 0;
+  for (Patch_index p : group.caps) {
+    const double sense = roles.of_patch[p.value()] == Role::source ? 1 : -1;
+    for (auto f : part.faces[p.value()]) {
+      Vec3 sum{};
+      for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) sum = sum + part.coordinates(v);
+      group.middle = group.middle + (part.area[f] / 3) * sum;
+      group.ahead = group.ahead + (sense * part.area[f]) * part.normal[f];
+      area += part.area[f];
+    }
+  }
+  group.middle = (1 / area) * group.middle;
+  group.height = dot(roles.direction, group.middle);
+  group.ahead = unit(group.ahead);
+}
+
 template <class Traits>
 std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) {
   const auto& mesh = part.mesh;
   Union_find sets(part.number_of_patches());
   auto is_cap = [&](std::size_t p) { return roles.of_patch[p] != Role::linking; };
-  for (auto v : mesh.vertices()) {
-    std::optional<std::size_t> first;
-    for (auto f : mesh.faces_around_target(mesh.halfedge(v))) {
-      const std::size_t p = part.patch(f).value();
-      if (!is_cap(p)) continue;
-      if (first) sets.join(*first, p);
-      first = p;
-    }
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    if (!is_cap(p)) continue;
+    for (auto h : part.border[p])
+      for (auto f : mesh.faces_around_target(h))
+        if (is_cap(part.patch(f).value())) sets.join(p, part.patch(f).value());
   }
   std::vector<Cap_group> groups;
   std::vector<std::size_t> group_of(part.number_of_patches());
@@ -55,26 +89,17 @@ std::vector<Cap_group> group_caps(const Part<Traits>& part, const Roles& roles) 
     groups[group_of[sets.root(p)]].caps.push_back(Patch_index(p));
   }
   for (Cap_group& group : groups) {
-    double area = 0, low = 1e300, high = -1e300;
-    for (Patch_index p : group.caps)
-      for (auto f : part.faces[p.value()]) {
-        double sum = 0;
-        for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-          const double h = dot(roles.direction, part.coordinates(v));
-          sum += h;
-          group.middle = group.middle + (part.area[f] / 3) * part.coordinates(v);
-          low = std::min(low, h);
-          high = std::max(high, h);
-        }
-        area += part.area[f];
-        group.height += part.area[f] * sum / 3;
-        const double sense = roles.of_patch[p.value()] == Role::source ? 1 : -1;
-        group.ahead = group.ahead + (sense * part.area[f]) * part.normal[f];
-      }
-    group.height /= area;
-    group.middle = (1 / area) * group.middle;
-    group.ahead = unit(group.ahead);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (Patch_index p : group.caps) {
+      const auto [lowest, highest] = heights(part, roles.direction, p);
+      low = std::min(low, lowest);
+      high = std::max(high, highest);
+    }
     group.flat = roles.is_straight() && high - low <= height_resolution(part);
+    if (group.flat)
+      group.height = low + (high - low) / 2;
+    else
+      measure(part, roles, group);
   }
   return groups;
 }

@@ -48,20 +48,30 @@ void rank_levels(const Part<Traits>& part, std::vector<Cap_group>& groups, Layer
 
 // The boundary of a cap carries the cap's own value.
 template <class Traits>
-void tie_cap_vertices(const Part<Traits>& part, Layering& layering) {
+void tie_cap_borders(const Part<Traits>& part, Layering& layering) {
   std::vector<Patch_index> tied(part.mesh.number_of_vertices());
   for (std::size_t level = 0; level < layering.caps.size(); ++level)
     for (Patch_index p : layering.caps[level])
+      for (auto h : part.border[p.value()]) {
+        const auto v = part.mesh.target(h);
+        if (tied[v].is_valid() && layering.parameter[v] != layering.layers[level])
+          fail(Status_code::inconsistent_levels, Stage::layers,
+               "patches " + std::to_string(part.id(tied[v])) + " and " + std::to_string(part.id(p)) +
+                   " meet in a point but stand on different levels",
+               {part.id(tied[v]), part.id(p)}, part.coordinates(v));
+        tied[v] = p;
+        layering.parameter[v] = layering.layers[level];
+      }
+}
+
+// So does its inside, where that has no height of its own.
+template <class Traits>
+void tie_cap_vertices(const Part<Traits>& part, Layering& layering) {
+  for (std::size_t level = 0; level < layering.caps.size(); ++level)
+    for (Patch_index p : layering.caps[level])
       for (auto f : part.faces[p.value()])
-        for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) {
-          if (tied[v].is_valid() && layering.parameter[v] != layering.layers[level])
-            fail(Status_code::inconsistent_levels, Stage::layers,
-                 "patches " + std::to_string(part.id(tied[v])) + " and " + std::to_string(part.id(p)) +
-                     " meet in a point but stand on different levels",
-                 {part.id(tied[v]), part.id(p)}, part.coordinates(v));
-          tied[v] = p;
+        for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f)))
           layering.parameter[v] = layering.layers[level];
-        }
 }
 
 // A straight sweep between flat caps: the parameter is the height itself.
@@ -253,10 +263,11 @@ Result<Layering> make_layering(const Part<Traits>& part, const Roles& roles, con
     std::vector<Cap_group> groups = group_caps(part, roles);
     fit_heights(part, roles, groups);
     rank_levels(part, groups, layering);
-    tie_cap_vertices(part, layering);
+    tie_cap_borders(part, layering);
     if (std::all_of(groups.begin(), groups.end(), [](const Cap_group& g) { return g.flat; })) {
       use_heights(part, roles, layering);
     } else {
+      tie_cap_vertices(part, layering);
       tie_rising_curves(part, roles, layering);
       solve_harmonic(part, roles, layering);
     }

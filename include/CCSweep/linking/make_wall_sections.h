@@ -11,10 +11,9 @@
 #include <CCSweep/part/Roles.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -30,7 +29,8 @@ class Wall_tracer {
 
  public:
   Wall_tracer(const Part_type& part, const Roles& roles, const Layering& layering)
-      : part_(part), roles_(roles), layering_(layering), bottom_of_(part.mesh.number_of_faces(), none) {
+      : part_(part), roles_(roles), layering_(layering), bottom_of_(part.mesh.number_of_faces(), none),
+        is_done_(part.mesh.number_of_faces(), false) {
     distribute_faces();
     find_sharp_edges();
   }
@@ -43,8 +43,8 @@ class Wall_tracer {
     sections.strips.resize(n);
     std::vector<Face> first_of_leaving, first_of_arriving;
     for (std::size_t k = 0; k + 1 < n; ++k) {
-      sections.leaving[k] = trace_loops(k, k, +1, first_of_leaving);
-      sections.arriving[k + 1] = trace_loops(k, k + 1, -1, first_of_arriving);
+      sections.leaving[k] = trace_loops(leaving_[k], k, +1, first_of_leaving);
+      sections.arriving[k + 1] = trace_loops(arriving_[k + 1], k + 1, -1, first_of_arriving);
       sections.strips[k] = pair_loops(k, first_of_leaving, first_of_arriving);
       for (Wall_strip& strip : sections.strips[k])
         find_rails(sections.leaving[k][strip.bottom], sections.arriving[k + 1][strip.top], k, strip);
@@ -61,15 +61,16 @@ class Wall_tracer {
     bool is_point = false;
   };
 
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
   double parameter(Vertex v) const { return layering_.parameter[v]; }
   bool is_wall(Face f) const { return roles_.of_patch[part_.patch(f).value()] == Role::linking; }
 
-  // The faces of the linking patches by the slabs between layers that they reach into.
+  // The faces of the linking patches by the layers that they reach up from and up to.
   void distribute_faces() {
     const auto& layers = layering_.layers;
-    faces_of_slab_.resize(layers.size());
+    leaving_.resize(layers.size());
+    arriving_.resize(layers.size());
     for (Face f : part_.mesh.faces()) {
       if (!is_wall(f)) continue;
       double low = 1e300, high = -1e300;
@@ -86,18 +87,21 @@ class Wall_tracer {
              "linking patch " + std::to_string(part_.id(part_.patch(f))) + " has a facet across the sweep",
              {part_.id(part_.patch(f))}, place_of(f));
       std::size_t k = std::upper_bound(layers.begin(), layers.end(), low) - layers.begin() - 1;
-      for (; k + 1 < layers.size() && layers[k] < high; ++k) faces_of_slab_[k].push_back(f);
+      for (; k + 1 < layers.size() && layers[k] < high; ++k) {
+        if (low <= layers[k]) leaving_[k].push_back(f);
+        if (high >= layers[k + 1]) arriving_[k + 1].push_back(f);
+      }
     }
   }
 
   void find_sharp_edges() {
     constexpr double smooth = 20 * 3.14159265358979323846 / 180;
     sharp_.assign(part_.mesh.number_of_edges(), false);
-    for (auto e : part_.mesh.edges()) {
-      const auto h = part_.mesh.halfedge(e);
-      const Face f = part_.mesh.face(h), g = part_.mesh.face(part_.mesh.opposite(h));
-      sharp_[e] = part_.feature[e] && is_wall(f) && is_wall(g) && angle(part_.normal[f], part_.normal[g]) > smooth;
-    }
+    for (const auto& border : part_.border)
+      for (Halfedge h : border) {
+        const Face f = part_.mesh.face(h), g = part_.mesh.face(part_.mesh.opposite(h));
+        sharp_[part_.mesh.edge(h)] = is_wall(f) && is_wall(g) && angle(part_.normal[f], part_.normal[g]) > smooth;
+      }
   }
 
   std::array<double, 3> place_of(Face f) const {
@@ -137,21 +141,24 @@ class Wall_tracer {
     return piece;
   }
 
-  std::vector<Wall_loop> trace_loops(std::size_t slab, std::size_t layer, int side, std::vector<Face>& first) {
+  std::vector<Wall_loop> trace_loops(const std::vector<Face>& starts, std::size_t layer, int side,
+                                     std::vector<Face>& first) {
     const double value = layering_.layers[layer];
     std::vector<Wall_loop> loops;
+    std::vector<Face> done;
     first.clear();
-    std::set<Face> done;
-    for (Face start : faces_of_slab_[slab]) {
+    for (Face start : starts) {
+      if (is_done_[start]) continue;
       const auto piece = row_piece(start, value, side);
-      if (!piece || piece->is_point || done.count(start)) continue;
+      if (!piece || piece->is_point) continue;
       first.push_back(start);
       loops.push_back(trace_loop(start, value, side, done));
     }
+    for (Face f : done) is_done_[f] = false;
     return loops;
   }
 
-  Wall_loop trace_loop(Face start, double value, int side, std::set<Face>& done) const {
+  Wall_loop trace_loop(Face start, double value, int side, std::vector<Face>& done) {
     Wall_loop loop;
     Face f = start;
     do {
@@ -164,7 +171,8 @@ class Wall_tracer {
       if (!piece->is_point) {
         loop.nodes.push_back(piece->from);
         loop.carriers.push_back(piece->carrier);
-        done.insert(f);
+        is_done_[f] = true;
+        done.push_back(f);
       }
       f = part_.mesh.face(part_.mesh.opposite(piece->way_out));
     } while (f != start);
@@ -177,26 +185,26 @@ class Wall_tracer {
     const double low = layering_.layers[slab], high = layering_.layers[slab + 1];
     std::vector<Face> reached;
     const auto reach = [&](Face f, std::size_t bottom) {
-      if (bottom_of_[f] != none) return false;
-      bottom_of_[f] = bottom;
+      bottom_of_[f] = static_cast<std::uint32_t>(bottom);
       reached.push_back(f);
-      return true;
     };
     for (std::size_t i = 0; i < bottoms.size(); ++i) {
       std::size_t next = reached.size();
-      if (!reach(bottoms[i], i)) report_unpaired(slab, bottoms[i]);
+      if (bottom_of_[bottoms[i]] != none) report_unpaired(slab, bottoms[i]);
+      reach(bottoms[i], i);
       for (; next < reached.size(); ++next) {
         for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(reached[next]))) {
+          const Face across = part_.mesh.face(part_.mesh.opposite(h));
+          if (bottom_of_[across] != none) continue;
           const double a = parameter(part_.mesh.source(h)), b = parameter(part_.mesh.target(h));
-          if (std::max(a, b) <= low || std::min(a, b) >= high) continue;
-          reach(part_.mesh.face(part_.mesh.opposite(h)), i);
+          if (std::max(a, b) > low && std::min(a, b) < high) reach(across, i);
         }
       }
     }
     std::vector<Wall_strip> strips(bottoms.size());
     std::vector<bool> paired(bottoms.size(), false);
     for (std::size_t j = 0; j < tops.size(); ++j) {
-      const std::size_t bottom = bottom_of_[tops[j]];
+      const std::uint32_t bottom = bottom_of_[tops[j]];
       if (bottom == none || paired[bottom]) report_unpaired(slab, tops[j]);
       paired[bottom] = true;
       strips[bottom] = {bottom, j, {}};
@@ -276,9 +284,10 @@ class Wall_tracer {
   const Part_type& part_;
   const Roles& roles_;
   const Layering& layering_;
-  std::vector<std::vector<Face>> faces_of_slab_;
+  std::vector<std::vector<Face>> leaving_, arriving_;  // by layer
   std::vector<bool> sharp_;
-  std::vector<std::size_t> bottom_of_;  // per face, the loop at the bottom of the slab at hand that it is reached from
+  std::vector<std::uint32_t> bottom_of_;  // per face: the loop at the bottom of the slab that it is reached from
+  std::vector<bool> is_done_;             // per face, for the layer at hand
 };
 
 }  // namespace internal

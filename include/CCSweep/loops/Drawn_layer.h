@@ -10,8 +10,8 @@
 #include <CCSweep/part/Part.h>
 
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace CCSweep::internal {
@@ -41,7 +41,7 @@ class Drawn_layer {
 
   /// The node at a vertex, or at the crossing of an edge, on this layer; made at the first call.
   Node_index node_at(const Surface_location& where) {
-    auto [found, is_new] = node_at_.try_emplace({where.kind, where.index}, Node_index());
+    auto [found, is_new] = node_at_.try_emplace(key(where), Node_index());
     if (is_new) {
       const bool is_vertex = where.kind == Surface_location::Kind::vertex;
       using Vertex = typename Part<Traits>::Vertex;
@@ -118,7 +118,10 @@ class Drawn_layer {
     return origins_.size() - 1;
   }
 
-  static std::pair<bool, std::uint32_t> key(const Carrier& c) { return {c.is_edge, c.index}; }
+  static std::uint64_t key(const Carrier& c) { return 2 * std::uint64_t(c.index) + c.is_edge; }
+  static std::uint64_t key(const Surface_location& where) {
+    return 4 * std::uint64_t(where.index) + std::uint64_t(where.kind);
+  }
 
   Node_index local(Node_index n) {
     auto [found, is_new] = local_of_node_.try_emplace(n, Node_index(node_of_local_.size()));
@@ -136,10 +139,10 @@ class Drawn_layer {
   Layer_drawing<Traits> drawing_;
   std::vector<Origin> origins_;
   std::vector<Node_index> node_of_local_;
-  std::map<Node_index, Node_index> local_of_node_;
-  std::map<std::pair<Surface_location::Kind, std::uint32_t>, Node_index> node_at_;
-  std::map<std::pair<bool, std::uint32_t>, std::vector<Node_index>> inserted_;
-  std::map<std::pair<bool, std::uint32_t>, std::vector<std::size_t>> drawn_;
+  std::unordered_map<Node_index, Node_index> local_of_node_;
+  std::unordered_map<std::uint64_t, Node_index> node_at_;                  // by the place's key
+  std::unordered_map<std::uint64_t, std::vector<Node_index>> inserted_;    // by the carrier's key
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> drawn_;      // by the carrier's key
 };
 
 }  // namespace CCSweep::internal

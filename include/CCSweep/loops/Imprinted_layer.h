@@ -18,6 +18,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -272,7 +273,7 @@ class Imprinted_layer {
   const std::vector<typename Imprint<Traits>::Segment> pieces_;
   Loops& loops_;
   std::vector<Node_index> node_of_;           // of the sweep, by node of the imprint
-  std::map<Node_index, Node_index> final_;    // by node of the drawing
+  std::unordered_map<Node_index, Node_index> final_;    // by node of the drawing
   std::vector<Segment> segments_;
   std::map<std::pair<Node_index, Node_index>, std::size_t> segment_between_;
   std::vector<std::size_t> barrel_;

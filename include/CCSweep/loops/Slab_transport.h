@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -105,17 +106,14 @@ class Slab_transport {
 
   /// Makes the nodes above those that lie on no wall.
   void project_interior(Drawn_layer<Traits>& drawn) {
-    std::map<std::size_t, Layer_projection<Traits, PointIndex>> projections;
+    std::map<std::size_t, Lift> lifts;
     for (const Cut& cut : cuts_)
       for (Node_index node : {cut.a, cut.b}) {
         auto [found, is_new] = image_.try_emplace({cut.barrel, node}, Node_index());
         if (!is_new) continue;
-        auto projection = projections.find(cut.barrel);
-        if (projection == projections.end())
-          projection = projections.emplace(cut.barrel, make_projection(cut)).first;
-        Vec3 p = projection->second(drawn.coordinates(node));
-        // Between upright walls the residuals are but chord errors, which must not move nodes sideways.
-        if (is_upright_) p = drawn.coordinates(node) + dot(up_, p - drawn.coordinates(node)) * up_;
+        auto lift = lifts.find(cut.barrel);
+        if (lift == lifts.end()) lift = lifts.emplace(cut.barrel, make_lift(cut)).first;
+        const Vec3 p = lifted(drawn.coordinates(node), lift->second);
         found->second = drawn.add_node(typename Traits::Point_3(p[0], p[1], p[2]), Surface_location(),
                                        loops_.node(node).loop_vertex);
       }
@@ -129,6 +127,39 @@ class Slab_transport {
     std::vector<Vec3> from, to;
     std::vector<std::vector<std::size_t>> loops;
   };
+
+  // What takes the nodes of one barrel to the next layer.
+  struct Lift {
+    std::optional<double> rise;  // of all control nodes along `up`, between upright walls
+    std::optional<Layer_projection<Traits, PointIndex>> projection;
+  };
+
+  Lift make_lift(const Cut& cut) const {
+    const Control& control = control_of(cut);
+    Lift lift{common_rise(control), std::nullopt};
+    if (!lift.rise) lift.projection = make_projection(control);
+    return lift;
+  }
+
+  // Where the control nodes all rise alike the affine map says nothing else, and leaves no residuals along `up`.
+  std::optional<double> common_rise(const Control& control) const {
+    if (!is_upright_) return std::nullopt;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < control.from.size(); ++i) {
+      const double rise = dot(up_, control.to[i] - control.from[i]);
+      low = std::min(low, rise);
+      high = std::max(high, rise);
+    }
+    if (high - low > 1e-12 * part_.diagonal) return std::nullopt;
+    return low + (high - low) / 2;
+  }
+
+  // Between upright walls the residuals are but chord errors, which must not move nodes sideways.
+  Vec3 lifted(const Vec3& p, const Lift& lift) const {
+    if (lift.rise) return p + *lift.rise * up_;
+    const Vec3 image = (*lift.projection)(p);
+    return is_upright_ ? p + dot(up_, image - p) * up_ : image;
+  }
 
   void collect_cuts(const Imprinted_layer<Traits>& imprinted) {
     for (std::size_t s = 0; s < imprinted.segments().size(); ++s) {
@@ -224,7 +255,7 @@ class Slab_transport {
     return loop;
   }
 
-  Layer_projection<Traits, PointIndex> make_projection(const Cut& cut) const {
+  const Control& control_of(const Cut& cut) const {
     const auto found = controls_.find(cut.barrel);
     if (found == controls_.end()) {
       const int id = part_.id(cut.left);
@@ -232,7 +263,10 @@ class Slab_transport {
            "a piece of the section above target " + std::to_string(id) + " is bounded by no linking face", {id},
            Part<Traits>::coordinates(loops_.node(cut.a).point));
     }
-    const Control& control = found->second;
+    return found->second;
+  }
+
+  Layer_projection<Traits, PointIndex> make_projection(const Control& control) const {
     std::optional<Vec3> direction;  // a straight sweep has one, and the loops of bent caps would lean it
     if (is_straight_) direction = up_;
     auto projection = Layer_projection<Traits, PointIndex>::make(control.from, control.to, control.loops, neighbours_,

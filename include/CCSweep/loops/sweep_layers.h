@@ -72,7 +72,7 @@ class Layer_sweeper {
       if (roles_.of_patch[p] != Role::linking) continue;
       double area = 0, lean = 0;
       Vec3 facing{};
-      for (auto f : part_.faces[p]) {
+      for (auto f : part_.facing(Patch_index(p))) {
         const double c = dot(part_.normal[f], roles_.direction);
         area += part_.area[f];
         lean += part_.area[f] * c;
@@ -163,19 +163,17 @@ class Layer_sweeper {
       const bool is_source = roles_.of_patch[cap.value()] == Role::source;
       Loop_label label;
       (is_source ? label.source : label.target) = static_cast<int>(cap.value());
-      for (auto f : part_.faces[cap.value()]) {
+      for (auto f : part_.facing(cap))
         if (dot(part_.normal[f], is_source ? loops_.up[layer.value()] : reversed(loops_.up[layer.value()])) <= 0)
           fail(Status_code::chart_not_injective, Stage::loop_faces,
                "patch " + std::to_string(part_.id(cap)) + " turns away from the sweep", {part_.id(cap)},
                part_.coordinates(mesh.target(mesh.halfedge(f))));
-        for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-          const auto e = mesh.edge(h);
-          if (!part_.feature[e]) continue;
-          const Node_index a = drawn.node_at(Surface_location::vertex(mesh.source(h)));
-          const Node_index b = drawn.node_at(Surface_location::vertex(mesh.target(h)));
-          const auto chain = drawn.nodes_along({true, e}, is_source ? a : b, is_source ? b : a);
-          drawn.draw_along({true, e}, chain, label, Loop_label());
-        }
+      for (auto h : part_.border[cap.value()]) {
+        const auto e = mesh.edge(h);
+        const Node_index a = drawn.node_at(Surface_location::vertex(mesh.source(h)));
+        const Node_index b = drawn.node_at(Surface_location::vertex(mesh.target(h)));
+        const auto chain = drawn.nodes_along({true, e}, is_source ? a : b, is_source ? b : a);
+        drawn.draw_along({true, e}, chain, label, Loop_label());
       }
     }
   }

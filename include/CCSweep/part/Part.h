@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace CCSweep {
@@ -32,7 +34,9 @@ struct Part {
   std::vector<Patch_index> patch_of_face;       ///< by face
   std::vector<int> patch_id;                    ///< by patch: the id of the input
   std::vector<std::vector<Face>> faces;         ///< by patch
+  std::vector<std::vector<Halfedge>> border;    ///< by patch: the sides of its faces along feature edges
   std::vector<Face> largest_face;               ///< by patch
+  std::vector<double> area_of_patch;            ///< by patch
   std::vector<bool> planar;                     ///< by patch: all its vertices lie in one plane
   std::vector<Vector> normal;                   ///< by face: unit normal
   std::vector<double> area;                     ///< by face
@@ -46,6 +50,12 @@ struct Part {
   Patch_index patch(Face f) const { return patch_of_face[f]; }
   int id(Patch_index p) const { return patch_id[p.value()]; }
   const Point_3& point(Vertex v) const { return mesh.point(v); }
+
+  /// The faces that tell all normals of a patch: of a planar one the largest, as the normal of a needle is noise.
+  std::span<const Face> facing(Patch_index p) const {
+    if (planar[p.value()]) return {&largest_face[p.value()], 1};
+    return faces[p.value()];
+  }
 
   /// The halfedge that fractions along an edge are counted from. An edge made from a halfedge gives that one back, so
   /// asking the mesh would depend on who asks.

@@ -53,18 +53,19 @@ struct Patch_slope {
 template <class Traits>
 Patch_slope slope(const Part<Traits>& part, Patch_index patch, const Vec3& direction) {
   Patch_slope s;
-  double largest = 0;
-  for (auto f : part.faces[patch.value()]) largest = std::max(largest, part.area[f]);
-  for (auto f : part.faces[patch.value()]) {
+  s.area = part.area_of_patch[patch.value()];
+  const double largest = part.area[part.largest_face[patch.value()]];
+  double area = 0;
+  for (auto f : part.facing(patch)) {
     const double c = dot(part.normal[f], direction);
     s.mean += part.area[f] * c;
-    s.area += part.area[f];
+    area += part.area[f];
     // The normal of a needle is noise.
     if (part.area[f] < 1e-9 * largest) continue;
     s.low = std::min(s.low, c);
     s.high = std::max(s.high, c);
   }
-  s.mean /= s.area;
+  s.mean /= area;
   return s;
 }
 
@@ -108,19 +109,22 @@ template <class Traits>
 void check_curves(const Part<Traits>& part, Axis_trial& trial) {
   std::map<std::pair<int, int>, std::pair<double, double>> tangent;  // by patch ids: tangent and whole length
   std::set<std::pair<int, int>> knife;
-  for (auto e : part.mesh.edges()) {
-    if (!part.feature[e]) continue;
-    auto h = part.mesh.halfedge(e);
-    const auto f = part.mesh.face(h), g = part.mesh.face(part.mesh.opposite(h));
-    const Patch_index p = part.patch(f), q = part.patch(g);
-    const Role r = trial.roles.of_patch[p.value()], s = trial.roles.of_patch[q.value()];
-    const std::pair<int, int> ids = std::minmax({part.id(p), part.id(q)});
-    if (r != s && r != Role::linking && s != Role::linking) knife.insert(ids);
-    if ((r == Role::linking) == (s == Role::linking)) continue;
-    const double length = norm(part.coordinates(part.mesh.target(h)) - part.coordinates(part.mesh.source(h)));
-    auto& [smooth, all] = tangent[ids];
-    all += length;
-    if (angle(part.normal[f], part.normal[g]) < Role_limits::tangent) smooth += length;
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    if (trial.roles.of_patch[p] == Role::linking) continue;
+    for (auto h : part.border[p]) {
+      const auto f = part.mesh.face(h), g = part.mesh.face(part.mesh.opposite(h));
+      const Patch_index q = part.patch(g);
+      const Role r = trial.roles.of_patch[p], s = trial.roles.of_patch[q.value()];
+      const std::pair<int, int> ids = std::minmax({part.patch_id[p], part.id(q)});
+      if (s != Role::linking) {
+        if (r != s) knife.insert(ids);
+        continue;
+      }
+      const double length = norm(part.coordinates(part.mesh.target(h)) - part.coordinates(part.mesh.source(h)));
+      auto& [smooth, all] = tangent[ids];
+      all += length;
+      if (angle(part.normal[f], part.normal[g]) < Role_limits::tangent) smooth += length;
+    }
   }
   auto object = [&](const std::pair<int, int>& ids, const std::string& what) {
     trial.objections.push_back({{ids.first, ids.second}, "patches " + std::to_string(ids.first) + " and " +
@@ -235,7 +239,7 @@ std::vector<Axis_trial> try_bent_sweeps(const Part<Traits>& part, const Role_req
       if (trial.roles.of_patch[q] != Role::target) continue;
       known_targets.insert(q);
       if (trial.targets++ == 0) trial.lowest_target = part.patch_id[q];
-      for (auto f : part.faces[q]) trial.target_area += part.area[f];
+      trial.target_area += part.area_of_patch[q];
     }
     compare_with_request(part, request, trial);
     if (trial.objections.empty()) sweepable.push_back(std::move(trial));

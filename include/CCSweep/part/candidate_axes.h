@@ -7,7 +7,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
 #include <vector>
 
 namespace CCSweep {
@@ -55,13 +54,8 @@ std::vector<std::array<double, 3>> candidate_axes(const Part<Traits>& part) {
       if (norm(cross(known, axis)) < same) return;
     axes.push_back(axis);
   };
-  auto largest_normal = [&](std::size_t p) {
-    const auto& faces = part.faces[p];
-    return part.normal[*std::max_element(faces.begin(), faces.end(),
-                                         [&](auto f, auto g) { return part.area[f] < part.area[g]; })];
-  };
   for (std::size_t p = 0; p < part.number_of_patches(); ++p)
-    if (part.planar[p]) add(largest_normal(p));
+    if (part.planar[p]) add(part.normal[part.largest_face[p]]);
   for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
     Vec3 axis;
     if (!part.planar[p] && fit_axis(part, Patch_index(p), axis)) add(axis);

@@ -4,74 +4,30 @@
 #define CCSWEEP_PART_MAKE_PART_H
 
 #include <CCSweep/Status.h>
+#include <CCSweep/internal/Union_find.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/part/Part.h>
+#include <CCSweep/part/canonical_copy.h>
 
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <type_traits>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CCSweep {
 namespace internal {
 
-// Copies the input in canonical order. Vertices at the same place (solids that touch in an edge or a vertex) are told
-// apart by the coordinates of their neighbours.
-template <class Traits, class FaceGraph, class VertexPointMap, class FacePatchMap>
-void copy_in_canonical_order(const FaceGraph& input, VertexPointMap point_of, FacePatchMap patch_of, Part<Traits>& part,
-                             std::vector<int>& id_of_face) {
-  using Graph_traits = boost::graph_traits<FaceGraph>;
-  using Point_3 = typename Traits::Point_3;
-  std::vector<typename Graph_traits::vertex_descriptor> order(vertices(input).begin(), vertices(input).end());
-  auto neighbours = [&](auto v) {
-    std::vector<Point_3> points;
-    for (auto h : CGAL::halfedges_around_target(v, input)) points.push_back(get(point_of, source(h, input)));
-    std::sort(points.begin(), points.end());
-    return points;
-  };
-  std::sort(order.begin(), order.end(), [&](auto v, auto w) {
-    const Point_3 &p = get(point_of, v), &q = get(point_of, w);
-    if (p != q || v == w) return p < q;
-    return neighbours(v) < neighbours(w);
-  });
-  std::unordered_map<typename Graph_traits::vertex_descriptor, std::size_t> rank;
-  part.mesh.reserve(order.size(), 3 * order.size(), 2 * order.size());
-  for (auto v : order) {
-    rank[v] = part.mesh.number_of_vertices();
-    part.mesh.add_vertex(get(point_of, v));
-  }
-  struct Facet {
-    std::array<std::size_t, 3> v;
-    int id;
-    auto operator<=>(const Facet&) const = default;
-  };
-  std::vector<Facet> facets;
-  for (auto f : faces(input)) {
-    auto h = halfedge(f, input);
-    std::array<std::size_t, 3> v{rank[source(h, input)], rank[target(h, input)], rank[target(next(h, input), input)]};
-    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
-    facets.push_back({v, static_cast<int>(get(patch_of, f))});
-  }
-  std::sort(facets.begin(), facets.end());
-  using Vertex = typename Part<Traits>::Vertex;
-  for (const Facet& f : facets) {
-    using Size = typename Part<Traits>::Mesh::size_type;
-    part.mesh.add_face(Vertex(Size(f.v[0])), Vertex(Size(f.v[1])), Vertex(Size(f.v[2])));
-    id_of_face.push_back(f.id);
-  }
-}
-
 template <class Traits>
 void measure(Part<Traits>& part) {
+  const auto& mesh = part.mesh;
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (auto v : part.mesh.vertices()) {
+  for (auto v : mesh.vertices()) {
     const Vec3 p = part.coordinates(v);
     for (int i = 0; i < 3; ++i) {
       low[i] = std::min(low[i], p[i]);
@@ -80,83 +36,134 @@ void measure(Part<Traits>& part) {
     }
   }
   part.diagonal = norm(high - low);
-  for (auto f : part.mesh.faces()) {
-    auto h = part.mesh.halfedge(f);
-    const Vec3 a = part.coordinates(part.mesh.source(h)), b = part.coordinates(part.mesh.target(h)),
-               c = part.coordinates(part.mesh.target(part.mesh.next(h)));
+  part.area.reserve(mesh.number_of_faces());
+  part.normal.reserve(mesh.number_of_faces());
+  for (auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Vec3 a = part.coordinates(mesh.source(h)), b = part.coordinates(mesh.target(h)),
+               c = part.coordinates(mesh.target(mesh.next(h)));
     const Vec3 n = cross(b - a, c - a);
     part.area.push_back(norm(n) / 2);
     part.normal.push_back(unit(n));
   }
 }
 
-// A patch id may name several connected pieces; each is a patch of its own inside.
+// A patch id may name several connected pieces; each is a patch of its own inside. Patches come by their ids, and those
+// of one id by their first faces.
 template <class Traits>
 void find_patches(Part<Traits>& part, const std::vector<int>& id_of_face) {
-  using Face = typename Part<Traits>::Face;
   const auto& mesh = part.mesh;
-  part.patch_of_face.assign(mesh.number_of_faces(), Patch_index());
-  std::vector<Face> by_id(mesh.faces().begin(), mesh.faces().end());
-  std::stable_sort(by_id.begin(), by_id.end(), [&](Face f, Face g) { return id_of_face[f] < id_of_face[g]; });
-  for (Face seed : by_id) {
-    if (part.patch_of_face[seed].is_valid()) continue;
-    const Patch_index patch(part.patch_id.size());
-    part.patch_id.push_back(id_of_face[seed]);
-    part.patch_of_face[seed] = patch;
-    std::vector<Face> stack{seed}, found;
-    while (!stack.empty()) {
-      const Face f = stack.back();
-      stack.pop_back();
-      found.push_back(f);
-      for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-        const Face g = mesh.face(mesh.opposite(h));
-        if (part.patch_of_face[g].is_valid() || id_of_face[g] != id_of_face[f]) continue;
-        part.patch_of_face[g] = patch;
-        stack.push_back(g);
-      }
+  Union_find pieces(mesh.number_of_faces());
+  for (auto e : mesh.edges()) {
+    const auto f = mesh.face(mesh.halfedge(e)), g = mesh.face(mesh.opposite(mesh.halfedge(e)));
+    if (id_of_face[f] == id_of_face[g]) pieces.join(f, g);
+  }
+  std::vector<std::size_t> roots;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    if (pieces.root(f) == f) roots.push_back(f);
+  std::stable_sort(roots.begin(), roots.end(),
+                   [&](std::size_t f, std::size_t g) { return id_of_face[f] < id_of_face[g]; });
+  part.patch_of_face.resize(mesh.number_of_faces());
+  for (std::size_t root : roots) {
+    part.patch_of_face[root] = Patch_index(part.patch_id.size());
+    part.patch_id.push_back(id_of_face[root]);
+  }
+  part.faces.resize(roots.size());
+  for (auto f : mesh.faces()) {
+    const Patch_index patch = part.patch_of_face[pieces.root(f)];
+    part.patch_of_face[f] = patch;
+    part.faces[patch.value()].push_back(f);
+  }
+  for (const auto& faces : part.faces) {
+    auto largest = faces.front();
+    double area = 0;
+    for (auto f : faces) {
+      area += part.area[f];
+      if (part.area[f] > part.area[largest]) largest = f;
     }
-    std::sort(found.begin(), found.end());
-    part.largest_face.push_back(*std::max_element(
-        found.begin(), found.end(), [&](Face f, Face g) { return part.area[f] < part.area[g]; }));
-    part.faces.push_back(std::move(found));
+    part.largest_face.push_back(largest);
+    part.area_of_patch.push_back(area);
   }
 }
 
-// With an exact number type a patch is planar when the predicate says so, otherwise within 1e-12 of the size (and
-// what the coordinates themselves can tell).
+// Finds the feature edges and the corners. Returns the number of feature edges at each vertex.
 template <class Traits>
-bool is_planar(const Part<Traits>& part, Patch_index patch) {
-  const auto& faces = part.faces[patch.value()];
-  const auto largest = part.largest_face[patch.value()];
-  auto h = part.mesh.halfedge(largest);
-  const auto &a = part.point(part.mesh.source(h)), &b = part.point(part.mesh.target(h)),
-             &c = part.point(part.mesh.target(part.mesh.next(h)));
-  constexpr bool exact = CGAL::Algebraic_structure_traits<typename Traits::FT>::Is_exact::value;
-  const Vec3 origin = part.coordinates(a), n = part.normal[largest];
-  const double bound = 1e-12 * part.diagonal + 4e-16 * part.largest_coordinate;
-  for (auto f : faces)
-    for (auto v : part.mesh.vertices_around_face(part.mesh.halfedge(f))) {
-      if (exact ? !CGAL::coplanar(a, b, c, part.point(v))
-                : std::abs(dot(n, part.coordinates(v) - origin)) > bound)
-        return false;
-    }
-  return true;
-}
-
-template <class Traits>
-void find_features(Part<Traits>& part) {
+std::vector<std::uint32_t> find_features(Part<Traits>& part) {
   const auto& mesh = part.mesh;
   part.feature.assign(mesh.number_of_edges(), false);
-  std::vector<int> degree(mesh.number_of_vertices(), 0);
+  part.border.resize(part.number_of_patches());
+  std::vector<std::uint32_t> degree(mesh.number_of_vertices(), 0);
   for (auto e : mesh.edges()) {
-    auto h = mesh.halfedge(e);
-    if (part.patch(mesh.face(h)) == part.patch(mesh.face(mesh.opposite(h)))) continue;
+    const auto h = mesh.halfedge(e), o = mesh.opposite(h);
+    const Patch_index p = part.patch(mesh.face(h)), q = part.patch(mesh.face(o));
+    if (p == q) continue;
     part.feature[e] = true;
+    part.border[p.value()].push_back(h);
+    part.border[q.value()].push_back(o);
     ++degree[mesh.source(h)];
     ++degree[mesh.target(h)];
   }
   part.corner.assign(mesh.number_of_vertices(), false);
   for (auto v : mesh.vertices()) part.corner[v] = degree[v] != 0 && degree[v] != 2;
+  return degree;
+}
+
+// Face by face, and in the sense around each.
+template <class Traits>
+void sort_borders(Part<Traits>& part) {
+  const auto& mesh = part.mesh;
+  auto rank = [&](auto h) {
+    const auto f = mesh.face(h);
+    return std::pair(f, h == mesh.halfedge(f) ? 0 : mesh.prev(h) == mesh.halfedge(f) ? 1 : 2);
+  };
+  for (auto& border : part.border)
+    std::sort(border.begin(), border.end(), [&](auto g, auto h) { return rank(g) < rank(h); });
+}
+
+// The plane of a patch's largest face. With an exact number type a point is on it when the predicate says so, otherwise
+// within 1e-12 of the size (and what the coordinates themselves can tell).
+template <class Traits>
+class Patch_plane {
+ public:
+  Patch_plane(const Part<Traits>& part, Patch_index patch) : part_(part), normal_(part.normal[face(patch)]) {
+    const auto h = part.mesh.halfedge(face(patch));
+    corners_ = {part.mesh.source(h), part.mesh.target(h), part.mesh.target(part.mesh.next(h))};
+    origin_ = part.coordinates(corners_[0]);
+  }
+
+  bool has_on(typename Part<Traits>::Vertex v) const {
+    if constexpr (CGAL::Algebraic_structure_traits<typename Traits::FT>::Is_exact::value) {
+      return CGAL::coplanar(part_.point(corners_[0]), part_.point(corners_[1]), part_.point(corners_[2]),
+                            part_.point(v));
+    } else {
+      const double bound = 1e-12 * part_.diagonal + 4e-16 * part_.largest_coordinate;
+      return std::abs(dot(normal_, part_.coordinates(v) - origin_)) <= bound;
+    }
+  }
+
+ private:
+  typename Part<Traits>::Face face(Patch_index patch) const { return part_.largest_face[patch.value()]; }
+
+  const Part<Traits>& part_;
+  Vec3 normal_, origin_;
+  std::array<typename Part<Traits>::Vertex, 3> corners_;
+};
+
+// A patch is planar where its border and the vertices inside it, which have no feature edge, are.
+template <class Traits>
+void find_planar_patches(Part<Traits>& part, const std::vector<std::uint32_t>& degree) {
+  const auto& mesh = part.mesh;
+  std::vector<Patch_plane<Traits>> planes;
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    planes.emplace_back(part, Patch_index(p));
+    part.planar.push_back(std::all_of(part.border[p].begin(), part.border[p].end(),
+                                      [&](auto h) { return planes[p].has_on(mesh.target(h)); }));
+  }
+  for (auto v : mesh.vertices()) {
+    if (degree[v] != 0) continue;
+    const std::size_t p = part.patch(mesh.face(mesh.halfedge(v))).value();
+    if (part.planar[p] && !planes[p].has_on(v)) part.planar[p] = false;
+  }
 }
 
 // The two feature edges at a vertex inside a feature curve, pointing to it.
@@ -198,12 +205,13 @@ std::vector<typename Part<Traits>::Halfedge> chord_ending_with(const Part<Traits
 // angle a of the arc bulges by l/2 tan(a/4). The arc's angle is shared out between neighbours by length; neighbours
 // of very different length are a straight edge that ends in an arc. A tenth more makes up for the estimate.
 template <class Traits>
-void estimate_chord_errors(Part<Traits>& part) {
+void estimate_chord_errors(Part<Traits>& part, const std::vector<std::uint32_t>& degree) {
   const auto& mesh = part.mesh;
   // A regular 12-gon still is an arc.
   constexpr double polygon = 30.5 * 3.14159265358979323846 / 180, straight = 1e-6;
   part.chord_error.assign(mesh.number_of_edges(), 0);
   for (auto v : mesh.vertices()) {
+    if (degree[v] != 2) continue;
     const auto edges = feature_edges_at(part, v);
     if (!edges) continue;
     const double turn = turn_between(part, (*edges)[0], (*edges)[1]);
@@ -239,14 +247,13 @@ template <class Traits, class FaceGraph, class VertexPointMap, class FacePatchMa
 Result<Part<Traits>> make_part(const FaceGraph& input, VertexPointMap point_of, FacePatchMap patch_of) {
   return internal::guarded([&] {
     Part<Traits> part;
-    std::vector<int> id_of_face;
-    internal::copy_in_canonical_order(input, point_of, patch_of, part, id_of_face);
+    const std::vector<int> id_of_face = internal::copy_in_canonical_order(input, point_of, patch_of, part.mesh);
     internal::measure(part);
     internal::find_patches(part, id_of_face);
-    for (std::size_t p = 0; p < part.number_of_patches(); ++p)
-      part.planar.push_back(internal::is_planar(part, Patch_index(p)));
-    internal::find_features(part);
-    internal::estimate_chord_errors(part);
+    const std::vector<std::uint32_t> degree = internal::find_features(part);
+    internal::sort_borders(part);
+    internal::find_planar_patches(part, degree);
+    internal::estimate_chord_errors(part, degree);
     return part;
   });
 }

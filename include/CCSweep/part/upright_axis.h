@@ -17,11 +17,12 @@ namespace CCSweep::internal {
 template <class Traits>
 bool has_flat_caps(const Part<Traits>& part, const Roles& roles) {
   constexpr double flat = 1e-6;
-  const auto faces = part.mesh.faces();
-  return std::all_of(faces.begin(), faces.end(), [&](auto f) {
-    return roles.of_patch[part.patch(f).value()] == Role::linking ||
-           norm(cross(part.normal[f], roles.direction)) <= flat;
-  });
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    if (roles.of_patch[p] == Role::linking) continue;
+    for (auto f : part.facing(Patch_index(p)))
+      if (norm(cross(part.normal[f], roles.direction)) > flat) return false;
+  }
+  return true;
 }
 
 /// The axis that all linking faces stand along, if there is one, in the sense of the sweep: where caps slant, their

@@ -106,17 +106,9 @@ class Role_walk {
     return dot(cross(m, n), tangent(h)) > 0;
   }
 
-  std::vector<Halfedge> borders(Patch_index patch) const {
-    std::vector<Halfedge> result;
-    for (Face f : part_.faces[patch.value()])
-      for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(f)))
-        if (is_border(h)) result.push_back(h);
-    return result;
-  }
-
   void leave_cap(Patch_index cap) {
     const bool is_source = *role_[cap.value()] == Role::source;
-    for (Halfedge h : borders(cap)) {
+    for (Halfedge h : part_.border[cap.value()]) {
       const Halfedge back = part_.mesh.opposite(h);
       if (is_tangent(h))
         set_role(part_.patch(part_.mesh.face(back)), *role_[cap.value()]);
@@ -177,7 +169,7 @@ class Role_walk {
   }
 
   void leave_wall(Patch_index wall) {
-    const std::vector<Halfedge> edges = borders(wall);
+    const std::vector<Halfedge>& edges = part_.border[wall.value()];
     if (!is_mappable(edges)) {
       is_sound_ = false;
       return;

@@ -36,10 +36,10 @@ class Surface_cutter {
   using Vertex = typename Cut_surface<Traits>::Vertex;
 
  public:
-  explicit Surface_cutter(const Part_type& part) : part_(part) {
+  /// \param nodes how many vertices may come to those of the part
+  Surface_cutter(const Part_type& part, std::size_t nodes) : part_(part) {
+    surface_.points.reserve(part.mesh.number_of_vertices() + nodes);
     for (auto v : part.mesh.vertices()) surface_.points.push_back(part.point(v));
-    where_.reserve(surface_.points.size());
-    for (auto v : part.mesh.vertices()) where_.push_back(Surface_location::vertex(v));
   }
 
   /// The surface's vertex at a place; made where there is none yet.
@@ -58,8 +58,8 @@ class Surface_cutter {
   bool draw(Vertex v, Vertex w, const Vec3& normal, const Predicate& is_allowed) {
     if (v == w || surface_.path_between.count(std::minmax(v, w)) || !drawn_.insert(std::minmax(v, w)).second)
       return true;
-    const auto locations = Path_tracer<Traits>::trace(part_, where_[v], coordinates(v), where_[w], coordinates(w),
-                                                      normal, is_allowed);
+    const auto locations =
+        Path_tracer<Traits>::trace(part_, where(v), coordinates(v), where(w), coordinates(w), normal, is_allowed);
     if (!locations) return false;
     std::vector<Vertex> path{v};
     for (std::size_t i = 1; i + 1 < locations->size(); ++i)
@@ -86,6 +86,9 @@ class Surface_cutter {
 
   Cut_surface<Traits> run() {
     sort_edges();
+    find_met_faces();
+    surface_.triangles.reserve(part_.mesh.number_of_faces());
+    surface_.patch.reserve(part_.mesh.number_of_faces());
     for (std::size_t p = 0; p < part_.number_of_patches(); ++p) {
       const auto curves = curves_of_patch_.find(Patch_index(p));
       if (part_.planar[p] && curves != curves_of_patch_.end())
@@ -99,9 +102,14 @@ class Surface_cutter {
  private:
   Vec3 coordinates(Vertex v) const { return Part_type::coordinates(surface_.points[v]); }
 
+  Surface_location where(Vertex v) const {
+    const std::size_t first = part_.mesh.number_of_vertices();
+    return v < first ? Surface_location::vertex(v) : where_of_added_[v - first];
+  }
+
   Vertex add_vertex(const Surface_location& where, const Point_3& point) {
     surface_.points.push_back(point);
-    where_.push_back(where);
+    where_of_added_.push_back(where);
     return static_cast<Vertex>(surface_.points.size() - 1);
   }
 
@@ -140,7 +148,7 @@ class Surface_cutter {
 
   // Edges inside a planar patch don't outlive its triangulation.
   bool is_drawn_by_an_edge(Vertex v, Vertex w) const {
-    const Edge e = common_edge(part_, where_[v], where_[w]);
+    const Edge e = common_edge(part_, where(v), where(w));
     return e.is_valid() &&
            (part_.feature[e] || !part_.planar[part_.patch(part_.mesh.face(part_.mesh.halfedge(e))).value()]);
   }
@@ -166,8 +174,8 @@ class Surface_cutter {
   }
 
   void add_curve_in_common_patch(Vertex v, Vertex w) {
-    for (Face f : faces_at(part_, where_[v]))
-      for (Face g : faces_at(part_, where_[w]))
+    for (Face f : faces_at(part_, where(v)))
+      for (Face g : faces_at(part_, where(w)))
         if (part_.patch(f) == part_.patch(g) && part_.planar[part_.patch(f).value()]) {
           curves_of_patch_[part_.patch(f)].push_back({v, w});
           return;
@@ -176,10 +184,18 @@ class Surface_cutter {
   }
 
   Face common_face(Vertex v, Vertex w) const {
-    const auto a = faces_at(part_, where_[v]), b = faces_at(part_, where_[w]);
+    const auto a = faces_at(part_, where(v)), b = faces_at(part_, where(w));
     for (Face f : a)
       if (std::find(b.begin(), b.end(), f) != b.end()) return f;
     return Face();
+  }
+
+  // Where nodes lie on edges or curves run.
+  void find_met_faces() {
+    is_met_.assign(part_.mesh.number_of_faces(), false);
+    for (const auto& [e, on_edge] : on_edge_)
+      for (Face f : faces_at(part_, Surface_location::edge(e, 0))) is_met_[f] = true;
+    for (const auto& [f, curves] : curves_of_face_) is_met_[f] = true;
   }
 
   void sort_edges() {
@@ -220,26 +236,21 @@ class Surface_cutter {
   void triangulate_patch(Patch_index patch, const std::vector<Vertex_pair>& curves) {
     Planar_region<Traits> region;
     region.curves = curves;
-    const auto& mesh = part_.mesh;
-    Face largest = part_.faces[patch.value()].front();
-    for (Face f : part_.faces[patch.value()]) {
-      if (part_.area[f] > part_.area[largest]) largest = f;
-      for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        if (part_.feature[mesh.edge(h)]) add_boundary(h, region);
-    }
-    add_region(region, part_.normal[largest], patch);
+    for (Halfedge h : part_.border[patch.value()]) add_boundary(h, region);
+    add_region(region, part_.normal[part_.largest_face[patch.value()]], patch);
   }
 
   void triangulate_face(Face f) {
     const auto& mesh = part_.mesh;
-    const auto curves = curves_of_face_.find(f);
+    const Halfedge h = mesh.halfedge(f);
+    if (!is_met_[f]) {
+      add_triangle({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}, part_.patch(f));
+      return;
+    }
     Planar_region<Traits> region;
-    if (curves != curves_of_face_.end()) region.curves = curves->second;
-    for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) add_boundary(h, region);
-    if (region.curves.empty() && region.boundary.size() == 3)
-      add_triangle({region.boundary[0].first, region.boundary[1].first, region.boundary[2].first}, part_.patch(f));
-    else
-      add_region(region, part_.normal[f], part_.patch(f));
+    if (const auto curves = curves_of_face_.find(f); curves != curves_of_face_.end()) region.curves = curves->second;
+    for (Halfedge side : mesh.halfedges_around_face(h)) add_boundary(side, region);
+    add_region(region, part_.normal[f], part_.patch(f));
   }
 
   void add_triangle(const Triangle& t, Patch_index patch) {
@@ -249,11 +260,12 @@ class Surface_cutter {
 
   const Part_type& part_;
   Cut_surface<Traits> surface_;
-  std::vector<Surface_location> where_;  // by vertex of the surface
+  std::vector<Surface_location> where_of_added_;  // by vertex of the surface, after those of the part
   std::map<std::uint32_t, std::vector<std::pair<double, Vertex>>> on_edge_;
   std::set<Vertex_pair> drawn_;
   std::map<Patch_index, std::vector<Vertex_pair>> curves_of_patch_;
   std::map<Face, std::vector<Vertex_pair>> curves_of_face_;
+  std::vector<bool> is_met_;  // by face
 };
 
 }  // namespace CCSweep::internal

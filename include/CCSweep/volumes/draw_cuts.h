@@ -12,6 +12,7 @@
 #include <CCSweep/volumes/Cut_surface.h>
 #include <CCSweep/volumes/Curve_walk.h>
 #include <CCSweep/volumes/Surface_cutter.h>
+#include <CCSweep/volumes/follow_walls.h>
 
 #include <string>
 #include <utility>
@@ -27,7 +28,7 @@ class Cut_drawer {
 
  public:
   Cut_drawer(const Part<Traits>& part, const Roles& roles, const Loops& loops, const std::vector<Cut_row>& rows)
-      : part_(part), roles_(roles), loops_(loops), rows_(rows), cutter_(part),
+      : part_(part), roles_(roles), loops_(loops), rows_(rows), cutter_(part, loops.nodes.size()),
         vertex_(loops.nodes.size(), Cut_surface<Traits>::none) {}
 
   Cut_surface<Traits> run() {
@@ -120,12 +121,17 @@ class Cut_drawer {
 
 /// Draws on the part's surface the curves along which the cuts meet it: imprints on sources, columns on linking faces,
 /// and new nodes on the curves between patches (section 2.8).
+/// \param follows_walls whether inner columns get vertices at the heights where the wall beside them bends
 /// \return `cut_failed` with the patch and the place where a curve leaves the surface or curves cross.
 /// Complexity: O(n log n) in the nodes of the cuts and the facets they cross.
 template <class Traits>
 Result<Cut_surface<Traits>> draw_cuts(const Part<Traits>& part, const Roles& roles, const Layered_loops<Traits>& loops,
-                                      const std::vector<Cut_row>& rows) {
-  return internal::guarded([&] { return internal::Cut_drawer<Traits>(part, roles, loops, rows).run(); });
+                                      const std::vector<Cut_row>& rows, bool follows_walls = false) {
+  return internal::guarded([&] {
+    Cut_surface<Traits> surface = internal::Cut_drawer<Traits>(part, roles, loops, rows).run();
+    if (follows_walls) internal::Wall_follower<Traits>(loops, rows, surface).run();
+    return surface;
+  });
 }
 
 }  // namespace CCSweep

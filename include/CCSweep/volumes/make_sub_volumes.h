@@ -4,6 +4,7 @@
 #define CCSWEEP_VOLUMES_MAKE_SUB_VOLUMES_H
 
 #include <CCSweep/Status.h>
+#include <CCSweep/internal/connect_triangles.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/Layering.h>
 #include <CCSweep/loops/Layered_loops.h>
@@ -147,9 +148,11 @@ class Sub_volume_builder {
                      const std::vector<Patch_index>& label, const Cut_triangles& cuts)
       : part_(part), roles_(roles), surface_(surface), cuts_(cuts) {
     first_cut_id_ = *std::max_element(part.patch_id.begin(), part.patch_id.end()) + 1;
+    std::vector<Piece>* pieces = nullptr;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const Patch_index patch = surface.patch[t];
-      pieces_[label[t]].push_back({surface.triangles[t], part.id(patch), roles.of_patch[patch.value()]});
+      if (t == 0 || label[t] != label[t - 1]) pieces = &pieces_[label[t]];
+      pieces->push_back({surface.triangles[t], part.id(patch), roles.of_patch[patch.value()]});
     }
     for (std::size_t t = 0; t < cuts.triangles.size(); ++t) {
       const Triangle& v = cuts.triangles[t];
@@ -182,36 +185,84 @@ class Sub_volume_builder {
     Role role;
   };
 
+  using Mesh = typename Sub_volume<Point_3>::Mesh;
+
   Sub_volume<Point_3> make_volume(Patch_index target, const std::vector<Piece>& pieces) const {
+    Sub_volume<Point_3> volume;
+    volume.target = part_.id(target);
+    auto& mesh = volume.mesh;
+    // Few touch themselves and need their fans told apart.
+    if (!connect_vertices(pieces, mesh)) {
+      mesh.clear();
+      connect_fans(target, pieces, mesh);
+    }
+    auto patch_id = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::patch_id_map, -1);
+    auto role = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::role_map, 0);
+    for (auto f : mesh.faces()) {
+      patch_id.first[f] = pieces[f].patch_id;
+      role.first[f] = static_cast<int>(pieces[f].role);
+    }
+    volume.sources = sources(pieces);
+    return volume;
+  }
+
+  static std::vector<int> sources(const std::vector<Piece>& pieces) {
+    std::set<int> ids;
+    for (std::size_t t = 0; t < pieces.size(); ++t)
+      if (pieces[t].role == Role::source && (t == 0 || pieces[t].patch_id != pieces[t - 1].patch_id))
+        ids.insert(pieces[t].patch_id);
+    return {ids.begin(), ids.end()};
+  }
+
+  // Makes the mesh over the vertices of the surface. Returns whether it is a closed 2-manifold.
+  bool connect_vertices(const std::vector<Piece>& pieces, Mesh& mesh) const {
+    constexpr std::uint32_t unused = static_cast<std::uint32_t>(-1);
+    std::uint32_t least = unused, most = 0;
+    for (const Piece& p : pieces) {
+      least = std::min({least, p.vertices[0], p.vertices[1], p.vertices[2]});
+      most = std::max({most, p.vertices[0], p.vertices[1], p.vertices[2]});
+    }
+    std::vector<std::uint32_t> number(most + 1 - least, unused);
+    for (const Piece& p : pieces)
+      for (std::uint32_t v : p.vertices) number[v - least] = 0;
+    std::vector<std::uint32_t> vertex_of;
+    for (std::uint32_t i = 0; i < number.size(); ++i) {
+      if (number[i] == unused) continue;
+      number[i] = static_cast<std::uint32_t>(vertex_of.size());
+      vertex_of.push_back(least + i);
+    }
+    add_vertices(vertex_of, mesh);
+    const auto corners = [&](const Piece& p) {
+      return Triangle{number[p.vertices[0] - least], number[p.vertices[1] - least], number[p.vertices[2] - least]};
+    };
+    return Triangle_connector<Point_3>::run(pieces, corners, mesh) && has_single_fans(mesh);
+  }
+
+  // Makes the mesh with a vertex for each fan of triangles.
+  void connect_fans(Patch_index target, const std::vector<Piece>& pieces, Mesh& mesh) const {
     std::vector<Triangle> triangles;
     for (const Piece& p : pieces) triangles.push_back(p.vertices);
     const auto fans = Fan_separator::run(
         triangles, [&](std::uint32_t v) { return Part<Traits>::coordinates(surface_.points[v]); });
     if (!fans) report_open(target, triangles);
-    Sub_volume<Point_3> volume;
-    volume.target = part_.id(target);
-    auto& mesh = volume.mesh;
-    std::vector<const Point_3*> point_of_fan;
+    std::vector<std::uint32_t> vertex_of;
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        point_of_fan.resize(std::max(point_of_fan.size(), (*fans)[t][k] + 1));
-        point_of_fan[(*fans)[t][k]] = &surface_.points[triangles[t][k]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t fan = (*fans)[t][k];
+        vertex_of.resize(std::max(vertex_of.size(), fan + 1));
+        vertex_of[fan] = triangles[t][k];
       }
-    mesh.reserve(point_of_fan.size(), 3 * pieces.size() / 2, pieces.size());
-    for (const Point_3* p : point_of_fan) mesh.add_vertex(*p);
-    auto patch_id = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::patch_id_map, -1);
-    auto role = mesh.template add_property_map<CGAL::SM_Face_index, int>(Sub_volume<Point_3>::role_map, 0);
-    std::set<int> sources;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      auto vertex = [&](int k) { return CGAL::SM_Vertex_index(static_cast<std::uint32_t>((*fans)[t][k])); };
-      const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
-      if (!face.is_valid()) report_open(target, triangles);
-      patch_id.first[face] = pieces[t].patch_id;
-      role.first[face] = static_cast<int>(pieces[t].role);
-      if (pieces[t].role == Role::source) sources.insert(pieces[t].patch_id);
-    }
-    volume.sources.assign(sources.begin(), sources.end());
-    return volume;
+    add_vertices(vertex_of, mesh);
+    const auto corners = [](const std::array<std::size_t, 3>& f) {
+      return Triangle{static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]),
+                      static_cast<std::uint32_t>(f[2])};
+    };
+    if (!Triangle_connector<Point_3>::run(*fans, corners, mesh)) report_open(target, triangles);
+  }
+
+  void add_vertices(const std::vector<std::uint32_t>& vertex_of, Mesh& mesh) const {
+    mesh.resize(static_cast<std::uint32_t>(vertex_of.size()), 0, 0);
+    for (auto v : mesh.vertices()) mesh.point(v) = surface_.points[vertex_of[v]];
   }
 
   // The place is the first edge that does not run as often forth as back.

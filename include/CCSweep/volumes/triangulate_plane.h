@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -77,12 +77,13 @@ class Region_triangulation {
 
   // Inside is what an odd number of boundary edges parts from the infinite face.
   std::optional<std::vector<Triangle>> triangles(const Planar_region<Traits>& region) {
-    std::set<Vertex_pair> boundary;
-    for (const auto& [a, b] : region.boundary) boundary.insert(std::minmax(a, b));
+    std::vector<Vertex_pair> boundary;
+    for (const auto& [a, b] : region.boundary) boundary.push_back(std::minmax(a, b));
+    std::sort(boundary.begin(), boundary.end());
     auto is_boundary = [&](auto face, int i) {
+      if (!face->is_constrained(i)) return false;
       const auto v = face->vertex(triangulation_.cw(i)), w = face->vertex(triangulation_.ccw(i));
-      if (triangulation_.is_infinite(v) || triangulation_.is_infinite(w)) return false;
-      return boundary.count(std::minmax(v->info(), w->info())) > 0;
+      return std::binary_search(boundary.begin(), boundary.end(), Vertex_pair(std::minmax(v->info(), w->info())));
     };
     std::vector<typename Triangulation::Face_handle> stack{triangulation_.infinite_face()};
     triangulation_.infinite_face()->info().depth = 0;
@@ -109,7 +110,7 @@ class Region_triangulation {
   }
 
   Triangulation triangulation_;
-  std::map<std::uint32_t, typename Triangulation::Vertex_handle> vertex_;
+  std::unordered_map<std::uint32_t, typename Triangulation::Vertex_handle> vertex_;
 };
 
 }  // namespace CCSweep::internal
