@@ -76,7 +76,9 @@ struct Best_quads {
       }
       return quality >= good;
     };
-    if (is_good(Structured_quads()(region, size), 0.4) || is_good(Matched_quads()(region, size), 0.65)) return best;
+    if (is_good(Structured_quads()(region, size), 0.4) ||
+        is_good(Matched_quads()(region, size), internal::good_quad_shape))
+      return best;
     is_good(Subdivided_quads()(region, size), 1);
     return best;
   }
