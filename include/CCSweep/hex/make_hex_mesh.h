@@ -33,6 +33,14 @@
 namespace CCSweep {
 namespace internal {
 
+/// Makes room for further elements: for no more than these where that is much, so that a large cell fills no more memory
+/// than it needs, but for many small cells at once.
+template <class T>
+void reserve_more(std::vector<T>& list, std::size_t count) {
+  const std::size_t wanted = list.size() + count;
+  if (wanted > list.capacity()) list.reserve(std::max(wanted, list.size() + list.size() / 2));
+}
+
 /// Meshes all cells of a part, with the nodes on their arcs shared.
 template <class CapDrop, SizingField Sizing, IntervalSolver Solver, QuadMesher Quads>
 class Hex_mesher {
@@ -60,17 +68,19 @@ class Hex_mesher {
       const std::vector<double> quality = mesh_all(intervals);
       const double worst = *std::min_element(quality.begin(), quality.end());
       // More hexahedra must be worth it.
-      if (best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 2 ? small_gain : large_gain)) {
-        best_quality = worst;
-        best = mesh_;
-      }
+      const bool is_better =
+          best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 2 ? small_gain : large_gain);
+      if (is_better) best_quality = worst;
       if (most == 0 && worst > -2) most = growth * mesh_.hexes.size();
-      if (best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most)) break;
-      for (std::size_t c = 0; c < cells_.size(); ++c)
+      const bool is_done =
+          best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most);
+      for (std::size_t c = 0; c < cells_.size() && !is_done; ++c)
         if (i == 0 && quality[c] < good)
           make_even(cells_[c], intervals);
         else if (quality[c] < acceptable)
           refine(c, quality[c] > -2, intervals);
+      if (is_better) best = std::move(mesh_);
+      if (is_done) break;
     }
     if (best_quality == -2)
       fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
@@ -237,6 +247,9 @@ class Hex_mesher {
     const Cell& cell = cells_[c];
     const int volume = static_cast<int>(std::find(targets_.begin(), targets_.end(), cell.target) - targets_.begin());
     std::vector<std::vector<std::uint32_t>> number = outlines;
+    reserve_more(mesh_.points, nodes.size() * (nodes[0].size() - outlines[0].size()));
+    reserve_more(mesh_.hexes, (nodes.size() - 1) * quads.quads.size());
+    reserve_more(mesh_.volume, (nodes.size() - 1) * quads.quads.size());
     for (std::size_t k = 0; k < nodes.size(); ++k)
       for (std::size_t i = outlines[k].size(); i < nodes[k].size(); ++i) {
         number[k].push_back(static_cast<std::uint32_t>(mesh_.points.size()));
