@@ -75,7 +75,7 @@ class Quad_smoother {
 
   // To the mean of the neighbours, if that is not where it is, and no good angle is lost for it.
   bool relax(std::size_t n) {
-    constexpr double near = 0.01;
+    constexpr double near = 0.002;
     Point2 sum{};
     double size = 0;
     for (std::uint32_t q : quads_around(n)) {
