@@ -72,6 +72,22 @@ Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
                                                       .size(sizes(options)));
 }
 
+// The middle of a hexahedron.
+std::array<double, 3> place_of(const Hex_mesh& mesh, std::size_t hex) {
+  std::array<double, 3> middle{};
+  for (std::uint32_t n : mesh.hexes[hex])
+    for (std::size_t x = 0; x < 3; ++x) middle[x] += mesh.points[n][x] / 8;
+  return middle;
+}
+
+CCSweep::Report make_report(const CCSweep::Angle_bound& bound) {
+  return {{"maximum", bound.scaled_jacobian},
+          {"angle", bound.angle},
+          {"slope", bound.slope},
+          {"place", bound.place},
+          {"patch", bound.patch_id}};
+}
+
 CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qualities, double seconds) {
   double sum = 0;
   for (double q : qualities) sum += q;
@@ -80,9 +96,12 @@ CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qua
   report["hexahedra"] = mesh.hexes.size();
   report["nodes"] = mesh.points.size();
   report["volumes"] = mesh.targets.size();
-  report["scaled_jacobian"] = {{"minimum", *std::min_element(qualities.begin(), qualities.end())},
+  const auto worst = std::min_element(qualities.begin(), qualities.end());
+  report["scaled_jacobian"] = {{"minimum", *worst},
+                               {"minimum_place", place_of(mesh, static_cast<std::size_t>(worst - qualities.begin()))},
                                {"mean", sum / static_cast<double>(qualities.size())},
-                               {"histogram", histogram(qualities)}};
+                               {"histogram", histogram(qualities)},
+                               {"allowed_by_angles", make_report(mesh.tightest)}};
   report["seconds"] = {{name(Stage::hex_mesh), seconds}};
   return report;
 }
@@ -91,6 +110,11 @@ void print(const CCSweep::Report& report) {
   const auto& quality = report["scaled_jacobian"];
   std::cout << report["hexahedra"] << " hexahedra, " << report["nodes"] << " nodes in " << report["volumes"]
             << " sub-volumes\nscaled Jacobian: minimum " << quality["minimum"] << ", mean " << quality["mean"] << '\n';
+  const auto& allowed = quality["allowed_by_angles"];
+  if (allowed["patch"] != -1)
+    std::cout << "the angles of part and imprint allow " << allowed["maximum"] << " at the worst corner: "
+              << allowed["angle"] << " degrees on patch " << allowed["patch"] << ", columns at " << allowed["slope"]
+              << " degrees, at " << allowed["place"] << '\n';
   for (std::size_t i = 0; i < bars; ++i)
     std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i]
               << '\n';

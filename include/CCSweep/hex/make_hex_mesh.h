@@ -11,6 +11,7 @@
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/Layer_stack.h>
 #include <CCSweep/hex/Parity_intervals.h>
+#include <CCSweep/hex/angle_bound.h>
 #include <CCSweep/hex/cell_turns.h>
 #include <CCSweep/hex/even_heights.h>
 #include <CCSweep/hex/mesh_quads.h>
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -174,6 +176,7 @@ class Hex_mesher {
     mesh_.points = nodes.points;
     std::vector<std::size_t> first{0};  // hexahedron, by cell
     for (std::size_t c = 0; c < cells_.size(); ++c) {
+      bound_by_angles(c, intervals);
       mesh_cell(c, intervals, outlines_[c]);
       first.push_back(mesh_.hexes.size());
     }
@@ -187,10 +190,55 @@ class Hex_mesher {
   }
 
   std::vector<double> smooth() {
-    const auto drop = [&](Patch_index cap, const Vec3& p) {
-      return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up);
-    };
+    const auto drop = [&](Patch_index cap, const Vec3& p) { return drop_to(cap)(p); };
     return Hex_smoother(mesh_, patch_, drop).run(fine);
+  }
+
+  auto drop_to(Patch_index cap) const {
+    return [this, cap](const Vec3& p) { return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up); };
+  }
+
+  // Looks at the outlines of a cell's two caps.
+  void bound_by_angles(std::size_t c, const Arc_intervals& intervals) {
+    const Cell& cell = cells_[c];
+    const auto places = [&](std::size_t layer) {
+      std::vector<Vec3> points;
+      for (std::uint32_t n : outlines_[c][layer - cell.bottom]) points.push_back(mesh_.points[n]);
+      return points;
+    };
+    const auto look = [&](Patch_index cap, std::size_t layer, std::size_t next) {
+      const std::vector<Vec3> outline = places(layer), beyond = places(next);
+      std::vector<std::optional<Vec3>> on_walls(outline.size());
+      std::vector<std::size_t> loops;
+      std::size_t first = 0;
+      const std::size_t upper = std::max(layer, next);  // whose arcs know the walls between
+      for (const Cell::Loop& loop : cell.loops[cell.top - upper]) {
+        loops.push_back(length_of(loop, upper, intervals));
+        std::size_t at = 0;
+        for (Arc_stack::Half_arc h : loop) {
+          const std::size_t n = intervals(upper, h);
+          if (arcs_.arc(upper, h).wall[h % 2].is_valid())
+            for (std::size_t i = at; i <= at + n; ++i) {
+              const std::size_t node = first + i % loops.back();
+              on_walls[node] = beyond[node];
+            }
+          at += n;
+        }
+        first += loops.back();
+      }
+      const Plane_chart plane(stack_.layers[layer].up);
+      Angle_bound found = tightest_angle(outline, on_walls, loops, plane, drop_to(cap), layer == cell.top);
+      found.patch_id = patch_id_[cap.value()];
+      if (found.scaled_jacobian < mesh_.tightest.scaled_jacobian) mesh_.tightest = found;
+    };
+    look(cell.target, cell.bottom, cell.bottom + 1);
+    look(cell.source, cell.top, cell.top - 1);
+  }
+
+  static std::size_t length_of(const Cell::Loop& loop, std::size_t layer, const Arc_intervals& intervals) {
+    std::size_t length = 0;
+    for (Arc_stack::Half_arc h : loop) length += intervals(layer, h);
+    return length;
   }
 
   Quad_region region_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals,
@@ -222,8 +270,7 @@ class Hex_mesher {
       for (std::uint32_t n : outlines[k]) points.back().push_back(mesh_.points[n]);
       heights.push_back(stack_.layers[cell.bottom + k].value);
     }
-    const Drop to_target = [&](const Vec3& p) { return drop_(cell.target, p, stack_.layers[cell.bottom].up); };
-    const Drop to_source = [&](const Vec3& p) { return drop_(cell.source, p, stack_.layers[cell.top].up); };
+    const Drop to_target = drop_to(cell.target), to_source = drop_to(cell.source);
     Quad_mesh quads;
     Cell_nodes nodes;
     double best = -2;
@@ -280,8 +327,8 @@ class Hex_mesher {
       const auto &low = outlines[k - 1 - cell.bottom], &high = outlines[k - cell.bottom];
       std::size_t first = 0;
       for (const Cell::Loop& loop : cell.loops[cell.top - k]) {
-        std::size_t length = 0, at = 0;
-        for (auto h : loop) length += intervals(k, h);
+        const std::size_t length = length_of(loop, k, intervals);
+        std::size_t at = 0;
         for (auto h : loop) {
           const Patch_index wall = arcs_.arc(k, h).wall[h % 2];
           for (std::size_t i = 0; i < intervals(k, h); ++i, ++at)
