@@ -26,20 +26,6 @@ std::vector<std::size_t> histogram(const std::vector<double>& qualities) {
   return counts;
 }
 
-// A sub-volume leads away from its target.
-std::array<double, 3> direction_of(const CCSweep::Sub_volume<Point>& volume) {
-  const auto role = CCSweep::internal::int_map(volume.mesh, volume.role_map);
-  CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 sum = CGAL::NULL_VECTOR;
-  for (auto f : volume.mesh.faces()) {
-    if (role[f] != static_cast<int>(Role::target)) continue;
-    const auto h = volume.mesh.halfedge(f);
-    const auto& a = volume.mesh.point(volume.mesh.source(h));
-    sum = sum - CGAL::cross_product(volume.mesh.point(volume.mesh.target(h)) - a,
-                                    volume.mesh.point(volume.mesh.target(volume.mesh.next(h))) - a);
-  }
-  return {sum.x(), sum.y(), sum.z()};
-}
-
 CCSweep::Patch_sizes sizes(const Options& options) {
   CCSweep::Patch_sizes sizes(options.size);
   for (const auto& [patch, size] : options.patch_sizes) sizes.patch(patch, size);
@@ -47,29 +33,32 @@ CCSweep::Patch_sizes sizes(const Options& options) {
   return sizes;
 }
 
+// What holds whatever the roles.
+auto mesh_parameters(const Options& options, Progress& progress) {
+  return CCSweep::parameters::tolerance(options.tolerance)
+      .spanning_angle(options.spanning_angle)
+      .layers(options.layers)
+      .visitor(std::ref(progress))
+      .size(sizes(options));
+}
+
 Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
   const auto part = CCSweep::read_part<Point>(options.part, {true, options.angle});
   if (!part) return part.status();
-  Options forced = options;
-  // A sub-volume knows its caps; its cuts are linking faces like any other.
-  if (options.part.ends_with(".ply") && options.sources.empty() && options.targets.empty())
-    if (const auto volume = CCSweep::read_volume<Point>(options.part); volume && volume.value().target != -1) {
-      forced.targets = {volume.value().target};
-      forced.sources = volume.value().sources;
-      if (options.direction == std::array<double, 3>{}) forced.direction = direction_of(volume.value());
-    }
+  // A sub-volume knows its caps and its direction, but may have another one that suits it better.
+  const bool is_free =
+      options.sources.empty() && options.targets.empty() && options.direction == std::array<double, 3>{};
+  if (options.part.ends_with(".ply") && is_free)
+    if (const auto volume = CCSweep::read_volume<Point>(options.part); volume && volume.value().target != -1)
+      return CCSweep::hex_mesh(volume.value(), mesh_parameters(options, progress));
   return CCSweep::hex_mesh(part.value().mesh,
-                           parameters_of(forced, part.value().patch_ids(), progress).size(sizes(options)));
+                           parameters_of(options, part.value().patch_ids(), progress).size(sizes(options)));
 }
 
 Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
   const auto decomposition = CCSweep::read_volumes<Point>(options.part);
   if (!decomposition) return decomposition.status();
-  return CCSweep::hex_mesh(decomposition.value(), CCSweep::parameters::tolerance(options.tolerance)
-                                                      .spanning_angle(options.spanning_angle)
-                                                      .layers(options.layers)
-                                                      .visitor(std::ref(progress))
-                                                      .size(sizes(options)));
+  return CCSweep::hex_mesh(decomposition.value(), mesh_parameters(options, progress));
 }
 
 // The middle of a hexahedron.

@@ -55,32 +55,32 @@ class Hex_mesher {
     for (const Cell& cell : cells_) turns_.push_back(cell_turns(stack_, arcs_, cell));
   }
 
-  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided, and then
-  /// more intervals.
+  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then smaller
+  /// quads inside them; then more intervals.
   Hex_mesh run() {
-    constexpr int tries = 5;
+    constexpr int tries = 6;
     Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {
       return size_between(sizing_, patches_of(k, arc));
     });
+    Arc_intervals as_wanted = intervals;
     Hex_mesh best;
     double best_quality = -2;
     std::size_t most = 0;
     for (int i = 0; i < tries; ++i) {
-      intervals.solve(cells_, turns_, solver_);
-      const std::vector<double> quality = mesh_all(intervals);
+      Arc_intervals& tried = i == 2 ? as_wanted : intervals;
+      finest_ = i < 2 ? 1 : 0.25;
+      tried.solve(cells_, turns_, solver_);
+      const std::vector<double> quality = mesh_all(tried);
       const double worst = *std::min_element(quality.begin(), quality.end());
       // More hexahedra must be worth it.
       const bool is_better =
-          best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 2 ? small_gain : large_gain);
+          best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 3 ? small_gain : large_gain);
       if (is_better) best_quality = worst;
       if (most == 0 && worst > -2) most = growth * mesh_.hexes.size();
       const bool is_done =
           best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most);
-      for (std::size_t c = 0; c < cells_.size() && !is_done; ++c)
-        if (i == 0 && quality[c] < good)
-          make_even(cells_[c], intervals);
-        else if (quality[c] < acceptable)
-          refine(c, quality[c] > -2, intervals);
+      if (!is_done && i == 0) make_even(quality, intervals);
+      if (!is_done && (i == 1 || i > 2)) refine(quality, intervals);
       if (is_better) best = std::move(mesh_);
       if (is_done) break;
     }
@@ -121,13 +121,25 @@ class Hex_mesher {
     return ids;
   }
 
-  static void make_even(const Cell& cell, Arc_intervals& intervals) {
-    for (const Cell::Loop& loop : cell.loops[0])
-      for (Arc_stack::Half_arc h : loop) intervals.make_even(cell.top, h);
+  void make_even(const std::vector<double>& quality, Arc_intervals& intervals) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      if (quality[c] >= good) continue;
+      for (const Cell::Loop& loop : cells_[c].loops[0])
+        for (Arc_stack::Half_arc h : loop) intervals.make_even(cells_[c].top, h);
+    }
   }
 
-  // Refines the arcs at fault, else, of a cell that has a mesh, those at narrow gaps, or all where there is none.
-  void refine(std::size_t c, bool has_mesh, Arc_intervals& intervals) const {
+  // Several cells may want the same arcs refined, which is done once.
+  void refine(const std::vector<double>& quality, Arc_intervals& intervals) const {
+    std::set<std::size_t> too_coarse;
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (quality[c] < acceptable) too_coarse.merge(arcs_to_refine(c, quality[c] > -2, intervals));
+    for (std::size_t arc_class : too_coarse) intervals.refine(arc_class);
+  }
+
+  // The classes of the arcs at fault, else, of a cell that has a mesh, of those at narrow gaps, or of all where there is
+  // none.
+  std::set<std::size_t> arcs_to_refine(std::size_t c, bool has_mesh, const Arc_intervals& intervals) const {
     const Cell& cell = cells_[c];
     std::vector<Arc_stack::Half_arc> halves;
     for (const Cell::Loop& loop : cell.loops[0]) halves.insert(halves.end(), loop.begin(), loop.end());
@@ -136,8 +148,10 @@ class Hex_mesher {
       for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(find(edges_of(c, k, intervals)));
       if (!faults.empty() || !has_mesh) break;
     }
+    std::set<std::size_t> classes;
     for (std::size_t i = 0; i < halves.size(); ++i)
-      if (faults.empty() || faults.count(i) > 0) intervals.refine(cell.top, halves[i]);
+      if (faults.empty() || faults.count(i) > 0) classes.insert(intervals.arc_class(cell.top, halves[i]));
+    return classes;
   }
 
   // The outline of a cell on a layer, as of the last try.
@@ -274,18 +288,20 @@ class Hex_mesher {
     Quad_mesh quads;
     Cell_nodes nodes;
     double best = -2;
-    // The layer on which the cap's mesh is made matters where the cell widens or bends.
-    for (std::size_t k : {outlines.size() - 1, std::size_t(0), outlines.size() / 2}) {
-      auto made = mesh_quads_(region_of(c, cell.bottom + k, intervals, points[k]), size);
-      if (!made) continue;
-      Cell_nodes swept = sweep_cell(*made, points, heights, to_target, to_source);
-      const double quality = worst_quality(*made, swept);
-      if (quality <= best) continue;
-      best = quality;
-      quads = std::move(*made);
-      nodes = std::move(swept);
-      if (best >= good) break;
-    }
+    // The layer on which the cap's mesh is made matters where the cell widens or bends; smaller quads inside, where the
+    // edges of the outline are long beside its width.
+    for (double share = 1; best < acceptable && share >= finest_; share /= 2)
+      for (std::size_t k : {outlines.size() - 1, std::size_t(0), outlines.size() / 2}) {
+        auto made = mesh_quads_(region_of(c, cell.bottom + k, intervals, points[k]), share * size);
+        if (!made) continue;
+        Cell_nodes swept = sweep_cell(*made, points, heights, to_target, to_source);
+        const double quality = worst_quality(*made, swept);
+        if (quality <= best) continue;
+        best = quality;
+        quads = std::move(*made);
+        nodes = std::move(swept);
+        if (best >= good) break;
+      }
     if (best > -2) add_cell(c, intervals, outlines, quads, nodes);
   }
 
@@ -350,6 +366,7 @@ class Hex_mesher {
   std::vector<Cell> cells_;
   std::vector<std::vector<int>> turns_;  // by cell
   std::vector<Patch_index> targets_;     // by sub-volume
+  double finest_ = 1;  // of the quads inside a cap that may be tried, as a share of the size
   Hex_mesh mesh_;
   std::vector<std::vector<std::vector<std::uint32_t>>> outlines_;  // by cell and layer from the bottom: the nodes
   std::vector<Patch_index> patch_;       // by boundary quad
