@@ -26,20 +26,6 @@ std::vector<std::size_t> histogram(const std::vector<double>& qualities) {
   return counts;
 }
 
-// A sub-volume leads away from its target.
-std::array<double, 3> direction_of(const CCSweep::Sub_volume<Point>& volume) {
-  const auto role = CCSweep::internal::int_map(volume.mesh, volume.role_map);
-  CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 sum = CGAL::NULL_VECTOR;
-  for (auto f : volume.mesh.faces()) {
-    if (role[f] != static_cast<int>(Role::target)) continue;
-    const auto h = volume.mesh.halfedge(f);
-    const auto& a = volume.mesh.point(volume.mesh.source(h));
-    sum = sum - CGAL::cross_product(volume.mesh.point(volume.mesh.target(h)) - a,
-                                    volume.mesh.point(volume.mesh.target(volume.mesh.next(h))) - a);
-  }
-  return {sum.x(), sum.y(), sum.z()};
-}
-
 CCSweep::Patch_sizes sizes(const Options& options) {
   CCSweep::Patch_sizes sizes(options.size);
   for (const auto& [patch, size] : options.patch_sizes) sizes.patch(patch, size);
@@ -47,29 +33,48 @@ CCSweep::Patch_sizes sizes(const Options& options) {
   return sizes;
 }
 
+// What holds whatever the roles.
+auto mesh_parameters(const Options& options, Progress& progress) {
+  return CCSweep::parameters::tolerance(options.tolerance)
+      .spanning_angle(options.spanning_angle)
+      .layers(options.layers)
+      .visitor(std::ref(progress))
+      .size(sizes(options));
+}
+
 Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
   const auto part = CCSweep::read_part<Point>(options.part, {true, options.angle});
   if (!part) return part.status();
-  Options forced = options;
-  // A sub-volume knows its caps; its cuts are linking faces like any other.
-  if (options.part.ends_with(".ply") && options.sources.empty() && options.targets.empty())
-    if (const auto volume = CCSweep::read_volume<Point>(options.part); volume && volume.value().target != -1) {
-      forced.targets = {volume.value().target};
-      forced.sources = volume.value().sources;
-      if (options.direction == std::array<double, 3>{}) forced.direction = direction_of(volume.value());
-    }
+  // A sub-volume knows its caps and its direction, but may have another one that suits it better.
+  const bool is_free =
+      options.sources.empty() && options.targets.empty() && options.direction == std::array<double, 3>{};
+  if (options.part.ends_with(".ply") && is_free)
+    if (const auto volume = CCSweep::read_volume<Point>(options.part); volume && volume.value().target != -1)
+      return CCSweep::hex_mesh(volume.value(), mesh_parameters(options, progress));
   return CCSweep::hex_mesh(part.value().mesh,
-                           parameters_of(forced, part.value().patch_ids(), progress).size(sizes(options)));
+                           parameters_of(options, part.value().patch_ids(), progress).size(sizes(options)));
 }
 
 Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
   const auto decomposition = CCSweep::read_volumes<Point>(options.part);
   if (!decomposition) return decomposition.status();
-  return CCSweep::hex_mesh(decomposition.value(), CCSweep::parameters::tolerance(options.tolerance)
-                                                      .spanning_angle(options.spanning_angle)
-                                                      .layers(options.layers)
-                                                      .visitor(std::ref(progress))
-                                                      .size(sizes(options)));
+  return CCSweep::hex_mesh(decomposition.value(), mesh_parameters(options, progress));
+}
+
+// The middle of a hexahedron.
+std::array<double, 3> place_of(const Hex_mesh& mesh, std::size_t hex) {
+  std::array<double, 3> middle{};
+  for (std::uint32_t n : mesh.hexes[hex])
+    for (std::size_t x = 0; x < 3; ++x) middle[x] += mesh.points[n][x] / 8;
+  return middle;
+}
+
+CCSweep::Report make_report(const CCSweep::Angle_bound& bound) {
+  return {{"maximum", bound.scaled_jacobian},
+          {"angle", bound.angle},
+          {"slope", bound.slope},
+          {"place", bound.place},
+          {"patch", bound.patch_id}};
 }
 
 CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qualities, double seconds) {
@@ -80,9 +85,12 @@ CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qua
   report["hexahedra"] = mesh.hexes.size();
   report["nodes"] = mesh.points.size();
   report["volumes"] = mesh.targets.size();
-  report["scaled_jacobian"] = {{"minimum", *std::min_element(qualities.begin(), qualities.end())},
+  const auto worst = std::min_element(qualities.begin(), qualities.end());
+  report["scaled_jacobian"] = {{"minimum", *worst},
+                               {"minimum_place", place_of(mesh, static_cast<std::size_t>(worst - qualities.begin()))},
                                {"mean", sum / static_cast<double>(qualities.size())},
-                               {"histogram", histogram(qualities)}};
+                               {"histogram", histogram(qualities)},
+                               {"allowed_by_angles", make_report(mesh.tightest)}};
   report["seconds"] = {{name(Stage::hex_mesh), seconds}};
   return report;
 }
@@ -91,6 +99,11 @@ void print(const CCSweep::Report& report) {
   const auto& quality = report["scaled_jacobian"];
   std::cout << report["hexahedra"] << " hexahedra, " << report["nodes"] << " nodes in " << report["volumes"]
             << " sub-volumes\nscaled Jacobian: minimum " << quality["minimum"] << ", mean " << quality["mean"] << '\n';
+  const auto& allowed = quality["allowed_by_angles"];
+  if (allowed["patch"] != -1)
+    std::cout << "the angles of part and imprint allow " << allowed["maximum"] << " at the worst corner: "
+              << allowed["angle"] << " degrees on patch " << allowed["patch"] << ", columns at " << allowed["slope"]
+              << " degrees, at " << allowed["place"] << '\n';
   for (std::size_t i = 0; i < bars; ++i)
     std::cout << "  " << i / double(bars) << " to " << (i + 1) / double(bars) << ": " << quality["histogram"][i]
               << '\n';

@@ -12,6 +12,7 @@
 #include <CCSweep/hex/make_arc_stack.h>
 #include <CCSweep/hex/make_hex_mesh.h>
 #include <CCSweep/hex/mesh_quads.h>
+#include <CCSweep/hex/quality.h>
 #include <CCSweep/hex/sizing.h>
 #include <CCSweep/internal/Input.h>
 #include <CCSweep/internal/Options.h>
@@ -21,6 +22,10 @@
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/volumes/Decomposition.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -46,7 +51,65 @@ Sizing to_sizing(const Sizing& sizing) {
   return sizing;
 }
 
-/// Tries the possible roles, best first, till one gives a mesh.
+/// The least scaled Jacobian of a mesh.
+inline double least_quality(const Hex_mesh& mesh) {
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  return *std::min_element(quality.begin(), quality.end());
+}
+
+/// Keeps the mesh with the best worst hexahedron of those it is shown; if there is none, the first failure.
+class Best_mesh {
+ public:
+  /// \param good what makes further meshes needless
+  explicit Best_mesh(double good) : good_(good) {}
+
+  /// \return whether it is so good that no other one is needed
+  bool show(Result<Hex_mesh> result) {
+    if (!result) {
+      if (result.status().code == Status_code::cancelled) throw Failure{result.status()};
+      if (!first_failure_) first_failure_ = result.status();
+      return false;
+    }
+    if (const double quality = least_quality(result.value()); !mesh_ || quality > quality_) {
+      quality_ = quality;
+      mesh_ = std::move(result).value();
+    }
+    return quality_ >= good_;
+  }
+
+  Hex_mesh take() {
+    if (!mesh_) throw Failure{*first_failure_};
+    return std::move(*mesh_);
+  }
+
+ private:
+  double good_;
+  std::optional<Hex_mesh> mesh_;
+  double quality_ = 0;
+  std::optional<Status> first_failure_;
+};
+
+/// The direction in which a sub-volume leads away from its target.
+template <class Point>
+std::array<double, 3> direction_of(const Sub_volume<Point>& volume) {
+  using Volume = Sub_volume<Point>;
+  const auto& mesh = volume.mesh;
+  const auto role = mesh.template property_map<typename Volume::Mesh::Face_index, int>(Volume::role_map).first;
+  const auto place = [&](auto v) {
+    const Point& p = mesh.point(v);
+    return Vec3{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  };
+  Vec3 sum{};
+  for (auto f : mesh.faces()) {
+    if (role[f] != static_cast<int>(Role::target)) continue;
+    const auto h = mesh.halfedge(f);
+    const Vec3 a = place(mesh.source(h)), b = place(mesh.target(h)), c = place(mesh.target(mesh.next(h)));
+    sum = sum - cross(b - a, c - a);
+  }
+  return sum;
+}
+
+/// Tries the possible roles, those first that look best, till one gives a mesh that will do; else takes the best.
 template <class Traits, class SegmentIndex, class PointIndex, class Visitor, class Policies>
 class Hex_pipeline {
  public:
@@ -58,14 +121,12 @@ class Hex_pipeline {
     check_size();
     const std::vector<Roles> candidates =
         run_(Stage::roles, [&] { return assign_roles(part_, options_.roles); });
-    std::optional<Status> first_failure;
-    for (const Roles& roles : candidates) {
-      Result<Hex_mesh> attempt = guarded([&] { return mesh(roles); });
-      if (attempt) return std::move(attempt).value();
-      if (attempt.status().code == Status_code::cancelled) throw Failure{attempt.status()};
-      if (!first_failure) first_failure = attempt.status();
-    }
-    throw Failure{*first_failure};
+    if (candidates.size() == 1) return mesh(candidates[0]);
+    constexpr double acceptable = 0.2;
+    Best_mesh best(acceptable);
+    for (const Roles& roles : candidates)
+      if (best.show(guarded([&] { return mesh(roles); }))) break;
+    return best.take();
   }
 
  private:
@@ -119,6 +180,10 @@ template <class T>
 inline constexpr bool is_decomposition = false;
 template <class Point>
 inline constexpr bool is_decomposition<Decomposition<Point>> = true;
+template <class T>
+inline constexpr bool is_sub_volume = false;
+template <class Point>
+inline constexpr bool is_sub_volume<Sub_volume<Point>> = true;
 
 }  // namespace internal
 
@@ -137,7 +202,7 @@ inline constexpr bool is_decomposition<Decomposition<Point>> = true;
 /// The sizes are a number or a `SizingField`, for example `Patch_sizes(2).patch(7, 0.5)`.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each column's section.
 template <class FaceGraph, class NamedParameters>
-  requires(!internal::is_decomposition<FaceGraph> && SweepMesh<FaceGraph>)
+  requires(!internal::is_decomposition<FaceGraph> && !internal::is_sub_volume<FaceGraph> && SweepMesh<FaceGraph>)
 Result<Hex_mesh> hex_mesh(const FaceGraph& mesh, const NamedParameters& np) {
   using Call = internal::Call<FaceGraph, NamedParameters>;
   using Traits = typename Call::Traits;
@@ -173,6 +238,27 @@ Result<Hex_mesh> hex_mesh(const Decomposition<Point>& decomposition, const Named
                                                             .sources(sources)
                                                             .targets(targets)
                                                             .face_patch_map(outer.patch_ids())));
+  });
+}
+
+/// Meshes one sub-volume by itself, in the direction that suits it best: its own, from its target to its sources, or if a
+/// good mesh does not come of that, any other in which it can be swept. Its cuts then are faces like all others, so
+/// the mesh need not conform to those of its neighbours.
+/// \param np a sequence of named parameters; `size` is needed
+template <class Point, class NamedParameters>
+Result<Hex_mesh> hex_mesh(const Sub_volume<Point>& volume, const NamedParameters& np) {
+  return internal::guarded([&] {
+    constexpr double good = 0.4;
+    using Volume = Sub_volume<Point>;
+    const auto patch =
+        volume.mesh.template property_map<typename Volume::Mesh::Face_index, int>(Volume::patch_id_map).first;
+    internal::Best_mesh best(good);
+    if (!best.show(hex_mesh(volume.mesh, np.direction(internal::direction_of(volume))
+                                             .sources(volume.sources)
+                                             .targets(std::vector<int>{volume.target})
+                                             .face_patch_map(patch))))
+      best.show(hex_mesh(volume.mesh, np.face_patch_map(patch)));
+    return best.take();
   });
 }
 

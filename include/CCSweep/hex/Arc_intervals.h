@@ -76,8 +76,8 @@ class Arc_intervals {
 
   std::size_t operator()(std::size_t layer, Half_arc h) const { return intervals_[arc_class(layer, h)]; }
 
-  /// Asks for twice as many intervals on an arc and all that lie in its columns.
-  void refine(std::size_t layer, Half_arc h) { wanted_[arc_class(layer, h)] *= 2; }
+  /// Asks for twice as many intervals on all arcs of a class.
+  void refine(std::size_t arc_class) { wanted_[arc_class] *= 2; }
 
   /// Asks for an even number.
   void make_even(std::size_t layer, Half_arc h) { must_be_even_[arc_class(layer, h)] = true; }

@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <utility>
 #include <vector>
@@ -111,11 +110,12 @@ class Cap_triangulation {
 
  private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  enum class Side : unsigned char { unknown, inside, outside };
   using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
       Kernel,
       CGAL::Triangulation_data_structure_2<
           CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>,
-          CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>,
+          CGAL::Triangulation_face_base_with_info_2<Side, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>,
       CGAL::No_constraint_intersection_tag>;
   using Handle = Cdt::Vertex_handle;
   using Plane_point = boost::geometry::model::d2::point_xy<double>;
@@ -137,19 +137,18 @@ class Cap_triangulation {
 
   // Faces to which an odd number of constraints leads from outside.
   void mark_inside() {
-    for (auto f : mesh_.all_face_handles()) f->info() = false;
-    std::deque<std::pair<Cdt::Face_handle, bool>> queue{{mesh_.infinite_face(), false}};
-    CGAL::Unique_hash_map<Cdt::Face_handle, bool> seen(false);
-    seen[mesh_.infinite_face()] = true;
-    while (!queue.empty()) {
-      const auto [f, inside] = queue.front();
-      queue.pop_front();
-      f->info() = inside;
+    for (auto f : mesh_.all_face_handles()) f->info() = Side::unknown;
+    std::vector<Cdt::Face_handle> found{mesh_.infinite_face()};
+    found.back()->info() = Side::outside;
+    while (!found.empty()) {
+      const auto f = found.back();
+      found.pop_back();
       for (int i = 0; i < 3; ++i) {
         const auto g = f->neighbor(i);
-        if (seen[g]) continue;
-        seen[g] = true;
-        queue.push_back({g, inside != mesh_.is_constrained({f, i})});
+        if (g->info() != Side::unknown) continue;
+        const bool is_inside = (f->info() == Side::inside) != mesh_.is_constrained({f, i});
+        g->info() = is_inside ? Side::inside : Side::outside;
+        found.push_back(g);
       }
     }
   }
@@ -158,15 +157,17 @@ class Cap_triangulation {
   // edges tell it.
   std::pair<double, double> distance_and_size(const Point2& p) const {
     constexpr unsigned few = 12;
+    constexpr double growth = 0.4;
     double nearest = 1e300, wanted = size_;
     for (auto at = near_.qbegin(boost::geometry::index::nearest(Plane_point(p[0], p[1]), few)); at != near_.qend();
          ++at) {
       const auto& [a, b] = ends_[at->second];
       const double wx = b[0] - a[0], wy = b[1] - a[1], l2 = wx * wx + wy * wy;
       const double t = std::clamp(((p[0] - a[0]) * wx + (p[1] - a[1]) * wy) / l2, 0.0, 1.0);
-      const double d = std::hypot(p[0] - a[0] - t * wx, p[1] - a[1] - t * wy);
+      const double d = length_between(p, {a[0] + t * wx, a[1] + t * wy});
       nearest = std::min(nearest, d);
-      wanted = std::min(wanted, length_[at->second] + 0.4 * d);
+      if (growth * d >= wanted) break;  // those that follow are no nearer
+      wanted = std::min(wanted, length_[at->second] + growth * d);
     }
     return {nearest, wanted};
   }
@@ -175,7 +176,7 @@ class Cap_triangulation {
     Cdt::Locate_type type;
     int i;
     hint_ = mesh_.locate(point(p), type, i, hint_);
-    return type == Cdt::FACE && hint_->info();
+    return type == Cdt::FACE && hint_->info() == Side::inside;
   }
 
   // A square lattice in the direction of most of the boundary: triangles on it pair to squares.
@@ -215,32 +216,46 @@ class Cap_triangulation {
     points.push_back(p);
   }
 
+  // A place for a further point, the size wanted there, and by how much the circle around it is larger.
+  struct Centre {
+    double excess, wanted;
+    Point2 place;
+  };
+
   // Puts points in the centres of circles that are too large, not near the boundary.
   void refine() {
     const std::size_t most = 20 * (points.size() + 100);
     for (bool changed = true; changed && points.size() < most;) {
       mark_inside();
-      std::vector<std::pair<double, Point2>> centres;
-      for (auto f : mesh_.finite_face_handles()) {
-        if (!f->info()) continue;
-        const auto c = mesh_.circumcenter(f);
-        const Point2 p{c.x(), c.y()};
-        const double radius = std::sqrt(CGAL::squared_distance(c, f->vertex(0)->point()));
-        hint_ = f;
-        if (!is_inside(p)) continue;
-        const auto [d, wanted] = distance_and_size(p);
-        if (d > 0.6 * wanted && radius > 0.85 * wanted) centres.push_back({radius / wanted, p});
-      }
-      std::sort(centres.rbegin(), centres.rend());
+      std::vector<Centre> centres = centres_of_large_circles();
+      std::stable_sort(centres.begin(), centres.end(),
+                       [](const Centre& a, const Centre& b) { return a.excess > b.excess; });
       changed = insert_apart(centres);
     }
     mark_inside();
   }
 
-  bool insert_apart(const std::vector<std::pair<double, Point2>>& centres) {
+  std::vector<Centre> centres_of_large_circles() {
+    constexpr double large = 0.85;
+    const double least_wanted = std::min(size_, *std::min_element(length_.begin(), length_.end()));
+    std::vector<Centre> centres;
+    for (auto f : mesh_.finite_face_handles()) {
+      if (f->info() != Side::inside) continue;
+      const auto c = mesh_.circumcenter(f);
+      const Point2 p{c.x(), c.y()};
+      const double radius = std::sqrt(CGAL::squared_distance(c, f->vertex(0)->point()));
+      if (radius <= large * least_wanted) continue;
+      hint_ = f;
+      if (!is_inside(p)) continue;
+      const auto [d, wanted] = distance_and_size(p);
+      if (d > 0.6 * wanted && radius > large * wanted) centres.push_back({radius / wanted, wanted, p});
+    }
+    return centres;
+  }
+
+  bool insert_apart(const std::vector<Centre>& centres) {
     bool changed = false;
-    for (const auto& [excess, p] : centres) {
-      const double wanted = distance_and_size(p).second;
+    for (const auto& [excess, wanted, p] : centres) {
       if (squared_distance_to_vertices(p) < 0.5 * wanted * wanted) continue;
       insert(p);
       changed = true;
@@ -263,7 +278,7 @@ class Cap_triangulation {
     constexpr double flat = 0.35;
     std::vector<Point2> centres;
     for (auto f : mesh_.finite_face_handles()) {
-      if (!f->info()) continue;
+      if (f->info() != Side::inside) continue;
       for (int i = 0; i < 3; ++i) {
         if (!mesh_.is_constrained({f, mesh_.cw(i)}) || !mesh_.is_constrained({f, mesh_.ccw(i)})) continue;
         const std::uint32_t n = f->vertex(i)->info();
@@ -282,7 +297,7 @@ class Cap_triangulation {
   void collect() {
     triangles.clear();
     for (auto f : mesh_.finite_face_handles())
-      if (f->info()) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+      if (f->info() == Side::inside) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
   double size_;

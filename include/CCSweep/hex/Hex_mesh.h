@@ -11,6 +11,16 @@
 
 namespace CCSweep {
 
+/// What the angles of a part and of its imprint allow at a node on the outline of a cap: of the hexahedra that meet there
+/// and keep to the curves, one has no more than this scaled Jacobian.
+struct Angle_bound {
+  double scaled_jacobian = 1;
+  double angle = 90;  ///< which the outline encloses there on the cap, in degrees
+  double slope = 90;  ///< of the columns against the cap, in degrees
+  std::array<double, 3> place{};
+  int patch_id = -1;  ///< of the cap; -1 where nothing is in the way
+};
+
 /// A conformal mesh of hexahedra: neighbours share whole faces, and no two nodes stand at the same place.
 struct Hex_mesh {
   using Point = std::array<double, 3>;
@@ -28,6 +38,7 @@ struct Hex_mesh {
   std::vector<int> volume;                          ///< by hexahedron: index of the sub-volume
   std::vector<int> targets;                         ///< by sub-volume: id of its target patch
   std::vector<Boundary_quad> boundary;
+  Angle_bound tightest;  ///< of the bounds at all nodes on the outlines of caps, before nodes inside caps are moved
 };
 
 }  // namespace CCSweep

@@ -11,6 +11,7 @@
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/Layer_stack.h>
 #include <CCSweep/hex/Parity_intervals.h>
+#include <CCSweep/hex/angle_bound.h>
 #include <CCSweep/hex/cell_turns.h>
 #include <CCSweep/hex/even_heights.h>
 #include <CCSweep/hex/mesh_quads.h>
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -32,6 +34,14 @@
 
 namespace CCSweep {
 namespace internal {
+
+/// Makes room for further elements: for no more than these where that is much, so that a large cell fills no more memory
+/// than it needs, but for many small cells at once.
+template <class T>
+void reserve_more(std::vector<T>& list, std::size_t count) {
+  const std::size_t wanted = list.size() + count;
+  if (wanted > list.capacity()) list.reserve(std::max(wanted, list.size() + list.size() / 2));
+}
 
 /// Meshes all cells of a part, with the nodes on their arcs shared.
 template <class CapDrop, SizingField Sizing, IntervalSolver Solver, QuadMesher Quads>
@@ -45,32 +55,34 @@ class Hex_mesher {
     for (const Cell& cell : cells_) turns_.push_back(cell_turns(stack_, arcs_, cell));
   }
 
-  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided, and then
-  /// more intervals.
+  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then smaller
+  /// quads inside them; then more intervals.
   Hex_mesh run() {
-    constexpr int tries = 5;
+    constexpr int tries = 6;
     Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {
       return size_between(sizing_, patches_of(k, arc));
     });
+    Arc_intervals as_wanted = intervals;
     Hex_mesh best;
     double best_quality = -2;
     std::size_t most = 0;
     for (int i = 0; i < tries; ++i) {
-      intervals.solve(cells_, turns_, solver_);
-      const std::vector<double> quality = mesh_all(intervals);
+      Arc_intervals& tried = i == 2 ? as_wanted : intervals;
+      finest_ = i < 2 ? 1 : 0.25;
+      tried.solve(cells_, turns_, solver_);
+      const std::vector<double> quality = mesh_all(tried);
       const double worst = *std::min_element(quality.begin(), quality.end());
       // More hexahedra must be worth it.
-      if (best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 2 ? small_gain : large_gain)) {
-        best_quality = worst;
-        best = mesh_;
-      }
+      const bool is_better =
+          best_quality <= 0 ? worst > best_quality : worst > best_quality + (i < 3 ? small_gain : large_gain);
+      if (is_better) best_quality = worst;
       if (most == 0 && worst > -2) most = growth * mesh_.hexes.size();
-      if (best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most)) break;
-      for (std::size_t c = 0; c < cells_.size(); ++c)
-        if (i == 0 && quality[c] < good)
-          make_even(cells_[c], intervals);
-        else if (quality[c] < acceptable)
-          refine(c, quality[c] > -2, intervals);
+      const bool is_done =
+          best_quality >= (i == 0 ? good : acceptable) || (most > 0 && mesh_.hexes.size() > most);
+      if (!is_done && i == 0) make_even(quality, intervals);
+      if (!is_done && (i == 1 || i > 2)) refine(quality, intervals);
+      if (is_better) best = std::move(mesh_);
+      if (is_done) break;
     }
     if (best_quality == -2)
       fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
@@ -109,13 +121,25 @@ class Hex_mesher {
     return ids;
   }
 
-  static void make_even(const Cell& cell, Arc_intervals& intervals) {
-    for (const Cell::Loop& loop : cell.loops[0])
-      for (Arc_stack::Half_arc h : loop) intervals.make_even(cell.top, h);
+  void make_even(const std::vector<double>& quality, Arc_intervals& intervals) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      if (quality[c] >= good) continue;
+      for (const Cell::Loop& loop : cells_[c].loops[0])
+        for (Arc_stack::Half_arc h : loop) intervals.make_even(cells_[c].top, h);
+    }
   }
 
-  // Refines the arcs at fault, else, of a cell that has a mesh, those at narrow gaps, or all where there is none.
-  void refine(std::size_t c, bool has_mesh, Arc_intervals& intervals) const {
+  // Several cells may want the same arcs refined, which is done once.
+  void refine(const std::vector<double>& quality, Arc_intervals& intervals) const {
+    std::set<std::size_t> too_coarse;
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (quality[c] < acceptable) too_coarse.merge(arcs_to_refine(c, quality[c] > -2, intervals));
+    for (std::size_t arc_class : too_coarse) intervals.refine(arc_class);
+  }
+
+  // The classes of the arcs at fault, else, of a cell that has a mesh, of those at narrow gaps, or of all where there is
+  // none.
+  std::set<std::size_t> arcs_to_refine(std::size_t c, bool has_mesh, const Arc_intervals& intervals) const {
     const Cell& cell = cells_[c];
     std::vector<Arc_stack::Half_arc> halves;
     for (const Cell::Loop& loop : cell.loops[0]) halves.insert(halves.end(), loop.begin(), loop.end());
@@ -124,8 +148,10 @@ class Hex_mesher {
       for (std::size_t k = cell.bottom; k <= cell.top; ++k) faults.merge(find(edges_of(c, k, intervals)));
       if (!faults.empty() || !has_mesh) break;
     }
+    std::set<std::size_t> classes;
     for (std::size_t i = 0; i < halves.size(); ++i)
-      if (faults.empty() || faults.count(i) > 0) intervals.refine(cell.top, halves[i]);
+      if (faults.empty() || faults.count(i) > 0) classes.insert(intervals.arc_class(cell.top, halves[i]));
+    return classes;
   }
 
   // The outline of a cell on a layer, as of the last try.
@@ -164,6 +190,7 @@ class Hex_mesher {
     mesh_.points = nodes.points;
     std::vector<std::size_t> first{0};  // hexahedron, by cell
     for (std::size_t c = 0; c < cells_.size(); ++c) {
+      bound_by_angles(c, intervals);
       mesh_cell(c, intervals, outlines_[c]);
       first.push_back(mesh_.hexes.size());
     }
@@ -177,10 +204,55 @@ class Hex_mesher {
   }
 
   std::vector<double> smooth() {
-    const auto drop = [&](Patch_index cap, const Vec3& p) {
-      return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up);
-    };
+    const auto drop = [&](Patch_index cap, const Vec3& p) { return drop_to(cap)(p); };
     return Hex_smoother(mesh_, patch_, drop).run(fine);
+  }
+
+  auto drop_to(Patch_index cap) const {
+    return [this, cap](const Vec3& p) { return drop_(cap, p, stack_.layers[stack_.layer_of_cap[cap.value()]].up); };
+  }
+
+  // Looks at the outlines of a cell's two caps.
+  void bound_by_angles(std::size_t c, const Arc_intervals& intervals) {
+    const Cell& cell = cells_[c];
+    const auto places = [&](std::size_t layer) {
+      std::vector<Vec3> points;
+      for (std::uint32_t n : outlines_[c][layer - cell.bottom]) points.push_back(mesh_.points[n]);
+      return points;
+    };
+    const auto look = [&](Patch_index cap, std::size_t layer, std::size_t next) {
+      const std::vector<Vec3> outline = places(layer), beyond = places(next);
+      std::vector<std::optional<Vec3>> on_walls(outline.size());
+      std::vector<std::size_t> loops;
+      std::size_t first = 0;
+      const std::size_t upper = std::max(layer, next);  // whose arcs know the walls between
+      for (const Cell::Loop& loop : cell.loops[cell.top - upper]) {
+        loops.push_back(length_of(loop, upper, intervals));
+        std::size_t at = 0;
+        for (Arc_stack::Half_arc h : loop) {
+          const std::size_t n = intervals(upper, h);
+          if (arcs_.arc(upper, h).wall[h % 2].is_valid())
+            for (std::size_t i = at; i <= at + n; ++i) {
+              const std::size_t node = first + i % loops.back();
+              on_walls[node] = beyond[node];
+            }
+          at += n;
+        }
+        first += loops.back();
+      }
+      const Plane_chart plane(stack_.layers[layer].up);
+      Angle_bound found = tightest_angle(outline, on_walls, loops, plane, drop_to(cap), layer == cell.top);
+      found.patch_id = patch_id_[cap.value()];
+      if (found.scaled_jacobian < mesh_.tightest.scaled_jacobian) mesh_.tightest = found;
+    };
+    look(cell.target, cell.bottom, cell.bottom + 1);
+    look(cell.source, cell.top, cell.top - 1);
+  }
+
+  static std::size_t length_of(const Cell::Loop& loop, std::size_t layer, const Arc_intervals& intervals) {
+    std::size_t length = 0;
+    for (Arc_stack::Half_arc h : loop) length += intervals(layer, h);
+    return length;
   }
 
   Quad_region region_of(std::size_t c, std::size_t layer, const Arc_intervals& intervals,
@@ -212,23 +284,24 @@ class Hex_mesher {
       for (std::uint32_t n : outlines[k]) points.back().push_back(mesh_.points[n]);
       heights.push_back(stack_.layers[cell.bottom + k].value);
     }
-    const Drop to_target = [&](const Vec3& p) { return drop_(cell.target, p, stack_.layers[cell.bottom].up); };
-    const Drop to_source = [&](const Vec3& p) { return drop_(cell.source, p, stack_.layers[cell.top].up); };
+    const Drop to_target = drop_to(cell.target), to_source = drop_to(cell.source);
     Quad_mesh quads;
     Cell_nodes nodes;
     double best = -2;
-    // The layer on which the cap's mesh is made matters where the cell widens or bends.
-    for (std::size_t k : {outlines.size() - 1, std::size_t(0), outlines.size() / 2}) {
-      auto made = mesh_quads_(region_of(c, cell.bottom + k, intervals, points[k]), size);
-      if (!made) continue;
-      Cell_nodes swept = sweep_cell(*made, points, heights, to_target, to_source);
-      const double quality = worst_quality(*made, swept);
-      if (quality <= best) continue;
-      best = quality;
-      quads = std::move(*made);
-      nodes = std::move(swept);
-      if (best >= good) break;
-    }
+    // The layer on which the cap's mesh is made matters where the cell widens or bends; smaller quads inside, where the
+    // edges of the outline are long beside its width.
+    for (double share = 1; best < acceptable && share >= finest_; share /= 2)
+      for (std::size_t k : {outlines.size() - 1, std::size_t(0), outlines.size() / 2}) {
+        auto made = mesh_quads_(region_of(c, cell.bottom + k, intervals, points[k]), share * size);
+        if (!made) continue;
+        Cell_nodes swept = sweep_cell(*made, points, heights, to_target, to_source);
+        const double quality = worst_quality(*made, swept);
+        if (quality <= best) continue;
+        best = quality;
+        quads = std::move(*made);
+        nodes = std::move(swept);
+        if (best >= good) break;
+      }
     if (best > -2) add_cell(c, intervals, outlines, quads, nodes);
   }
 
@@ -237,6 +310,9 @@ class Hex_mesher {
     const Cell& cell = cells_[c];
     const int volume = static_cast<int>(std::find(targets_.begin(), targets_.end(), cell.target) - targets_.begin());
     std::vector<std::vector<std::uint32_t>> number = outlines;
+    reserve_more(mesh_.points, nodes.size() * (nodes[0].size() - outlines[0].size()));
+    reserve_more(mesh_.hexes, (nodes.size() - 1) * quads.quads.size());
+    reserve_more(mesh_.volume, (nodes.size() - 1) * quads.quads.size());
     for (std::size_t k = 0; k < nodes.size(); ++k)
       for (std::size_t i = outlines[k].size(); i < nodes[k].size(); ++i) {
         number[k].push_back(static_cast<std::uint32_t>(mesh_.points.size()));
@@ -267,8 +343,8 @@ class Hex_mesher {
       const auto &low = outlines[k - 1 - cell.bottom], &high = outlines[k - cell.bottom];
       std::size_t first = 0;
       for (const Cell::Loop& loop : cell.loops[cell.top - k]) {
-        std::size_t length = 0, at = 0;
-        for (auto h : loop) length += intervals(k, h);
+        const std::size_t length = length_of(loop, k, intervals);
+        std::size_t at = 0;
         for (auto h : loop) {
           const Patch_index wall = arcs_.arc(k, h).wall[h % 2];
           for (std::size_t i = 0; i < intervals(k, h); ++i, ++at)
@@ -290,6 +366,7 @@ class Hex_mesher {
   std::vector<Cell> cells_;
   std::vector<std::vector<int>> turns_;  // by cell
   std::vector<Patch_index> targets_;     // by sub-volume
+  double finest_ = 1;  // of the quads inside a cap that may be tried, as a share of the size
   Hex_mesh mesh_;
   std::vector<std::vector<std::vector<std::uint32_t>>> outlines_;  // by cell and layer from the bottom: the nodes
   std::vector<Patch_index> patch_;       // by boundary quad

@@ -88,36 +88,88 @@ inline std::vector<Triangle_pair> pairs_of_triangles(const Cap_triangulation& me
 using Pair_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 using Mates = std::vector<boost::graph_traits<Pair_graph>::vertex_descriptor>;
 
+using Mate_map = Mates::pointer;
+inline const auto no_mate = boost::graph_traits<Pair_graph>::null_vertex();
+
 /// The matching that takes the best pair first, and so on. The graph's edges come in that order.
-template <class Graph, class MateMap>
-struct Best_first_matching {
-  static void find_matching(const Graph& graph, MateMap mate) {
-    using boost::get, boost::put;
-    const auto null = boost::graph_traits<Graph>::null_vertex();
-    for (auto v : boost::make_iterator_range(vertices(graph))) put(mate, v, null);
-    for (auto e : boost::make_iterator_range(edges(graph)))
-      if (const auto a = source(e, graph), b = target(e, graph); get(mate, a) == null && get(mate, b) == null) {
-        put(mate, a, b);
-        put(mate, b, a);
+inline void match_best_first(const Pair_graph& graph, Mate_map mates) {
+  for (auto e : boost::make_iterator_range(edges(graph)))
+    if (const auto a = source(e, graph), b = target(e, graph); mates[a] == no_mate && mates[b] == no_mate) {
+      mates[a] = b;
+      mates[b] = a;
+    }
+}
+
+/// The same, but a triangle with one partner left takes that at once (Karp and Sipser, 1981): hardly any is left over.
+class Forced_first_matching {
+ public:
+  Forced_first_matching(const Pair_graph& graph, Mate_map mates) : graph_(graph), mates_(mates) {
+    for (auto v : boost::make_iterator_range(vertices(graph))) {
+      partners_.push_back(out_degree(v, graph));
+      if (partners_.back() == 1) forced_.push_back(v);
+    }
+  }
+
+  void run() {
+    match_forced();
+    for (auto e : boost::make_iterator_range(edges(graph_)))
+      if (const auto a = source(e, graph_), b = target(e, graph_); is_free(a) && is_free(b)) {
+        match(a, b);
+        match_forced();
       }
   }
+
+ private:
+  using Vertex = boost::graph_traits<Pair_graph>::vertex_descriptor;
+
+  bool is_free(Vertex v) const { return mates_[v] == no_mate; }
+
+  void match_forced() {
+    while (!forced_.empty()) {
+      const Vertex v = forced_.back();
+      forced_.pop_back();
+      if (!is_free(v)) continue;
+      const auto around = adjacent_vertices(v, graph_);
+      const auto partner = std::find_if(around.first, around.second, [&](Vertex w) { return is_free(w); });
+      if (partner != around.second) match(v, *partner);
+    }
+  }
+
+  void match(Vertex a, Vertex b) {
+    mates_[a] = b;
+    mates_[b] = a;
+    for (Vertex v : {a, b})
+      for (Vertex w : boost::make_iterator_range(adjacent_vertices(v, graph_)))
+        if (is_free(w) && --partners_[w] == 1) forced_.push_back(w);
+  }
+
+  const Pair_graph& graph_;
+  Mate_map mates_;
+  std::vector<std::size_t> partners_;  // by vertex: the neighbours that are free
+  std::vector<Vertex> forced_;
+};
+
+/// What Edmonds' algorithm starts from.
+template <class Graph, class MateMap>
+struct Forced_first_start {
+  static void find_matching(const Graph& graph, MateMap mates) { Forced_first_matching(graph, mates).run(); }
 };
 
 /// Chooses pairs so that no triangle is in two of them: the best first, and if so wanted, Edmonds' algorithm makes
-/// them as many as there can be. (The weighted matching of Boost 1.74 does not come to an end on some graphs.)
+/// them as many as there can be. That search costs O(n) for each pair which is missing at its start, so it gets one
+/// with hardly any missing. (The weighted matching of Boost 1.74 does not come to an end on some graphs.)
 /// \return the pairs chosen, by their place in `pairs`
 inline std::vector<std::size_t> choose_pairs(const std::vector<Triangle_pair>& pairs, std::size_t triangles,
                                              bool as_many_as_can_be) {
   Pair_graph graph(triangles);
   for (const Triangle_pair& pair : pairs) add_edge(pair.first, pair.second, graph);
-  Mates mates(triangles);
-  const auto mate = mates.data();
+  Mates mates(triangles, no_mate);
   if (as_many_as_can_be) {
     const auto index = get(boost::vertex_index, graph);
-    boost::matching<Pair_graph, decltype(mate), decltype(index), boost::edmonds_augmenting_path_finder,
-                    Best_first_matching, boost::no_matching_verifier>(graph, mate, index);
+    boost::matching<Pair_graph, Mate_map, decltype(index), boost::edmonds_augmenting_path_finder, Forced_first_start,
+                    boost::no_matching_verifier>(graph, mates.data(), index);
   } else {
-    Best_first_matching<Pair_graph, decltype(mate)>::find_matching(graph, mate);
+    match_best_first(graph, mates.data());
   }
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -106,24 +106,30 @@ inline bool is_positive_in(const Hex_corners& p, const std::array<double, 3>& lo
 /// the principal axes, each over the product of the lengths. 1 for a brick, not positive where the hexahedron folds.
 inline double scaled_jacobian(const Hex_corners& p) {
   using namespace internal;
-  // The edges along the three axes, and one over their lengths; each meets two corners.
+  // The edges along the three axes; each meets two corners.
   constexpr int ends[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
                                  {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   constexpr int edges_at[8][3] = {{0, 0, 0}, {0, 1, 1}, {1, 1, 2}, {1, 0, 3},
                                   {2, 2, 0}, {2, 3, 1}, {3, 3, 2}, {3, 2, 3}};
-  Vec3 unit_edge[3][4], axis[3] = {};
+  Vec3 edge[3][4], axis[3] = {};
+  double squared_length[3][4];
   for (int k = 0; k < 3; ++k)
     for (int e = 0; e < 4; ++e) {
-      const Vec3 w = p[ends[k][e][1]] - p[ends[k][e][0]];
-      const double length = norm(w);
-      if (!(length > 0)) return -1;
-      axis[k] = axis[k] + w;
-      unit_edge[k][e] = (1 / length) * w;
+      edge[k][e] = p[ends[k][e][1]] - p[ends[k][e][0]];
+      squared_length[k][e] = dot(edge[k][e], edge[k][e]);
+      if (!(squared_length[k][e] > 0)) return -1;
+      axis[k] = axis[k] + edge[k][e];
     }
-  double worst = std::min(1.0, scaled_determinant(axis[0], axis[1], axis[2]));
-  for (const auto& [u, v, w] : edges_at)
-    worst = std::min(worst, dot(unit_edge[0][u], cross(unit_edge[1][v], unit_edge[2][w])));
-  return worst;
+  // Quotients are ordered as their squares that keep the sign, so one root is enough.
+  const auto signed_square = [](double x) { return x * std::abs(x); };
+  const double of_axes = dot(axis[0], axis[0]) * dot(axis[1], axis[1]) * dot(axis[2], axis[2]);
+  if (!(of_axes > 0)) return -1;
+  double least = std::min(1.0, signed_square(dot(axis[0], cross(axis[1], axis[2]))) / of_axes);
+  for (const auto& [u, v, w] : edges_at) {
+    const double lengths = squared_length[0][u] * squared_length[1][v] * squared_length[2][w];
+    least = std::min(least, signed_square(dot(edge[0][u], cross(edge[1][v], edge[2][w]))) / lengths);
+  }
+  return std::copysign(std::sqrt(std::abs(least)), least);
 }
 
 /// The scaled Jacobian of each hexahedron. Complexity: linear.
