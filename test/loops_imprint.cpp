@@ -266,6 +266,20 @@ BOOST_AUTO_TEST_CASE(a_thin_tube_is_not_closed) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_was_carried_past_fixed_outlines_reaches_for_them) {
+  const auto faces = [](bool fixed, double reach) {
+    Layer_drawing<Kernel> drawing;
+    draw(drawing, rectangle(0, 0, 1, 1), target_2, {.fixed = fixed});
+    const std::size_t first = drawing.nodes.size();
+    draw(drawing, {{0.003, -0.002}, {0.5, 0.001}, {1.003, 0.002}, {0.998, 1.003}, {0.002, 0.999}}, source_1);
+    for (std::size_t n = first; n < drawing.nodes.size(); ++n) drawing.nodes[n].reach = reach;
+    return done(drawing, 1e-6).graph.number_of_loop_faces();
+  };
+  BOOST_TEST(faces(true, 0.01) == 1u);
+  BOOST_TEST(faces(true, 0) > 1u);
+  BOOST_TEST(faces(false, 0.01) > 1u);  // it reaches for what is fixed only
+}
+
 BOOST_AUTO_TEST_CASE(tolerance_zero_merges_equal_points_only) {
   Layer_drawing<Kernel> drawing;
   draw(drawing, rectangle(0, 0, 1, 1), source_1);

@@ -174,6 +174,8 @@ BOOST_AUTO_TEST_CASE(parts_that_failed) {
            Trial{Shape::slanted, 9, 32},  // no cap across the sweep, but upright walls
            Trial{Shape::domed, 8, 6},     // a round pocket, higher in the mean than the dome around it
            Trial{Shape::domed, 0, 8},     // caps that no curve ties but a wall does
+           Trial{Shape::twisted, 9, 8},   // cuts that miss the wall by more than the tolerance
+           Trial{Shape::bent, 0, 4},      // a column that misses the corner of a cap
        })
     BOOST_TEST_CONTEXT(t.name()) {
       const Swept_part swept = make(t.shape, random_parts::all_families[t.family], t.seed);

@@ -31,6 +31,7 @@ struct Layer_drawing {
     Point_2 point;
     bool fixed = false;   ///< lies on the input surface and may not move; projected nodes are free
     bool corner = false;  ///< a LoopVertex: the corner of a cap, here or carried along the sweep
+    double reach = 0;     ///< of a free node that may have been carried past a fixed one: how far it snaps to those
   };
 
   struct Segment {

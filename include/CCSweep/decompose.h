@@ -113,37 +113,44 @@ class Decomposer {
 
   // A result that fails is never returned; it is refined and tried again, boundedly: first by cuts that follow the
   // bends of the walls between two layers, then by rows that pass through the vertices of the linking faces, then by
-  // more rows.
+  // more rows, at last by cuts that missed the walls and may be drawn to them from further off.
   Result<Result_type> attempt_refined(const Roles& roles) {
-    constexpr std::array<Refinement, 5> refinements{{{},
+    constexpr std::array<Refinement, 7> refinements{{{},
                                                      {.follows_walls = true},
                                                      {.follows_walls = true, .through_vertices = true},
                                                      {.follows_walls = true, .times_slabs = 2},
-                                                     {.follows_walls = true, .times_slabs = 4}}};
+                                                     {.follows_walls = true, .times_slabs = 4},
+                                                     {.follows_walls = true, .reach = 10},
+                                                     {.follows_walls = true, .reach = 50}}};
     std::optional<Status> failure;
-    for (std::size_t i = 0; i < refinements.size(); ++i) {
+    for (const Refinement& refinement : refinements) {
+      if (failure && !may_mend(refinement, failure->code)) continue;
       Result<Result_type> attempt = guarded([&] {
         Result_type result = Pipeline<Traits, SegmentIndex, PointIndex, Visitor>(part_, options_, visitor_, run_)(
-            roles, refinements[i]);
+            roles, refinement);
         run_(Stage::verification, [&] { return verified(result); });
         return result;
       });
       if (attempt) return attempt;
       if (!failure) failure = attempt.status();
-      if (!may_help_to_refine(failure->code, i > 0)) break;
-      // Cuts that were not made can't follow anything.
-      if (i == 0 && failure->code != Status_code::verification_failed) ++i;
     }
     return *failure;
   }
 
-  // Levels that seem to contradict each other and cuts that miss the walls may do so for the facets of walls that bend
-  // between two layers, which more rows alone rarely mend.
-  static bool may_help_to_refine(Status_code code, bool is_refined) {
-    return code == Status_code::projection_folded || code == Status_code::imprint_failed ||
-           code == Status_code::verification_failed ||
-           (!is_refined && (code == Status_code::inconsistent_levels || code == Status_code::cut_failed ||
-                            code == Status_code::sub_volume_not_closed));
+  static bool may_mend(const Refinement& refinement, Status_code failure) {
+    switch (failure) {
+      case Status_code::verification_failed:
+        return true;
+      case Status_code::projection_folded:
+      case Status_code::imprint_failed:  // before there are cuts that could follow anything
+        return refinement.through_vertices || refinement.times_slabs > 1 || refinement.reach > 0;
+      case Status_code::inconsistent_levels:
+      case Status_code::cut_failed:
+      case Status_code::sub_volume_not_closed:  // by the facets of walls that bend; more rows alone rarely mend that
+        return refinement.through_vertices || refinement.reach > 0;
+      default:
+        return false;
+    }
   }
 
   Result<bool> verified(const Result_type& result) const {

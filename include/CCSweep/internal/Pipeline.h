@@ -52,6 +52,7 @@ struct Refinement {
   bool follows_walls = false;     ///< inner columns get vertices where the wall beside them bends
   bool through_vertices = false;  ///< rows pass through the vertices of the linking faces
   int times_slabs = 1;            ///< how many more slabs there are between two levels
+  double reach = 0;               ///< how far what was carried up snaps to the surface, in tolerances
 };
 
 /// The stages from the roles on (section 2, steps 1 to 7), for one choice of roles.
@@ -74,7 +75,8 @@ class Pipeline {
         run_(Stage::linking_mesh, [&] { return make_wall_sections(part_, roles, layering); });
     Layered_loops<Traits> loops = run_(Stage::loop_faces, [&] {
       return sweep_layers<Traits, SegmentIndex, PointIndex>(part_, roles, layering, sections, tolerance,
-                                                            options_.neighbours, visitor_);
+                                                            options_.neighbours, visitor_,
+                                                            refinement.reach * tolerance);
     });
     const auto rows = run_(Stage::decomposition_sets, [&] { return make_cut_rows(part_, layering, loops); });
     Decomposition<Point_3> result = run_(Stage::sub_volumes, [&] {

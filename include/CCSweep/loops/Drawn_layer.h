@@ -128,7 +128,9 @@ class Drawn_layer {
     if (is_new) {
       const auto& node = loops_.node(n);
       node_of_local_.push_back(n);
-      drawing_.nodes.push_back({chart_(node.point), node.where.on_surface(), node.loop_vertex});
+      const bool is_on_surface = node.where.on_surface();
+      drawing_.nodes.push_back(
+          {chart_(node.point), is_on_surface, node.loop_vertex, is_on_surface ? 0 : loops_.reach});
     }
     return found->second;
   }

@@ -78,6 +78,7 @@ struct Layered_loops {
   std::vector<std::vector<Wall_column>> wall_columns; ///< by layer below
   std::vector<std::vector<Wall_ring>> rings;          ///< by layer below
   std::vector<Wall_label> wall_labels;
+  double reach = 0;                                   ///< how far what was carried up snaps to the surface
   bool is_upright = false;                            ///< all walls stand along a straight sweep
   std::vector<std::string> notes;
 

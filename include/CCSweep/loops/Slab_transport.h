@@ -205,13 +205,14 @@ class Slab_transport {
     return result;
   }
 
-  // The node at a place of a row: one of its own where the place is within the tolerance of it, else a new one.
+  // The node at a place of a row: one of its own where that is within the tolerance or the reach, else a new
+  // one.
   Node_index node_on_row(const Loop_place& place, const Wall_loop& row, const std::vector<Node_index>& nodes,
                          Drawn_layer<Traits>& drawn,
                          std::vector<std::vector<std::pair<double, Node_index>>>& inserted) {
     const Node_index a = nodes[place.index], b = nodes[(place.index + 1) % nodes.size()];
     const double length = norm(drawn.coordinates(b) - drawn.coordinates(a));
-    const double near = std::min(tolerance_, length / 3);
+    const double near = std::min(std::max(tolerance_, loops_.reach), length / 3);
     if (place.fraction * length <= near) return a;
     if ((1 - place.fraction) * length <= near) return b;
     for (const auto& [fraction, node] : inserted[place.index])

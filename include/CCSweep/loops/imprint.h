@@ -172,7 +172,8 @@ Imprint<Traits> imprinted(const Layer_drawing<Traits>& drawing, double tolerance
 /// 4. A node within the tolerance of a free segment splits it, and the segment bends through the node. Fixed segments,
 ///    and free ones between two points of a fixed one, bend through nodes within rounding only.
 /// In 3 and 4 the tolerance is the larger of `tolerance` and the chord errors where the segment and a segment of the
-/// node both stand for arcs and run within 30 degrees of each other. No rule reaches further than a third of the
+/// node both stand for arcs and run within 30 degrees of each other; and a free node, or a free segment by those at its
+/// ends, snaps to what is fixed within its `reach`. No rule reaches further than a third of the
 /// distance to the nearest fixed feature that is not incident to node or segment.
 /// Then the overlay is exact: every decision is an exact predicate. Where the kernel rounds constructions, the pieces
 /// at a rounded crossing are tested again, a bounded number of times.

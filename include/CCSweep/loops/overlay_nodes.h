@@ -30,10 +30,14 @@ struct Layer_nodes {
   std::vector<Point_2> points;
   std::vector<bool> fixed, corner;
   std::vector<Node_index> representative;  // of the drawing's nodes; never a chain of two steps
+  std::vector<double> reaches;             // of the drawing's nodes; empty if all are 0
   std::vector<std::string> notes;
 
   const Point_2& point(Node_index n) const { return points[n.value()]; }
   Place_2 place(Node_index n) const { return {CGAL::to_double(point(n).x()), CGAL::to_double(point(n).y())}; }
+  // How far a node snaps to what is fixed, if that is more than the tolerance.
+  double reach(Node_index n) const { return reaches.empty() ? 0 : reaches[n.value()]; }
+  double reach(Node_index a, Node_index b) const { return std::max(reach(a), reach(b)); }
   CGAL::Bbox_2 box(Node_index n) const {
     const auto [xmin, xmax] = CGAL::to_interval(point(n).x());
     const auto [ymin, ymax] = CGAL::to_interval(point(n).y());

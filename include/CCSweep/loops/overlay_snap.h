@@ -29,7 +29,7 @@ template <class Traits>
 struct Checked_drawing {
   Layer_nodes<Traits> nodes;
   double size = 0;               // the largest coordinate
-  double chord_error = 0;        // the largest
+  double reach = 0;              // the largest chord error or reach of a node
   bool has_neighbours = false;   // a set has several faces: what they share is often drawn twice
   bool has_loose_nodes = false;  // no segment ends there
   bool has_short_segments = false;
@@ -59,6 +59,11 @@ void read_nodes(const Layer_drawing<Traits>& drawing, Checked_drawing<Traits>& r
     nodes.representative.emplace_back(i);
     if (node.fixed) nodes.fixed[i] = true;
     if (node.corner) nodes.corner[i] = true;
+    if (node.reach > 0) {
+      nodes.reaches.resize(size, 0);
+      nodes.reaches[i] = node.reach;
+      result.reach = std::max(result.reach, node.reach);
+    }
   }
   result.size = largest;
 }
@@ -99,7 +104,7 @@ void read_segments(const Layer_drawing<Traits>& drawing, double tolerance, Check
     is_end[a.value()] = is_end[b.value()] = true;
     // What a fixed segment ends at can't move without it.
     if (segment.fixed) result.nodes.fixed[a.value()] = result.nodes.fixed[b.value()] = true;
-    result.chord_error = std::max(result.chord_error, segment.chord_error);
+    result.reach = std::max(result.reach, segment.chord_error);
     if (is_short(segment, result.nodes, tolerance)) result.has_short_segments = true;
     if (segment.left == last[0] && segment.right == last[1]) continue;
     last = {segment.left, segment.right};
@@ -186,7 +191,7 @@ class Snap_need {
             double tolerance)
       : drawing_(drawing), steps_(steps), nodes_(nodes), tolerance_(tolerance) {}
 
-  // `near` are the pairs of segments within the tolerance and their chord errors, or more. Neighbours that run on are
+  // `near` are the pairs of segments within the tolerance, their chord errors and reaches, or more. Neighbours that run on are
   // not as near as either is long.
   bool exists(const std::vector<Near_pair>& near) const {
     return std::any_of(near.begin(), near.end(), [this](const Near_pair& pair) {
@@ -208,7 +213,8 @@ class Snap_need {
   }
 
   bool is_close(const Segment& s, const Segment& t) const {
-    const double reach = std::fmax(tolerance_, std::fmax(s.chord_error, t.chord_error));
+    const double reach = std::max({tolerance_, s.chord_error, t.chord_error, nodes_.reach(s.source, s.target),
+                                   nodes_.reach(t.source, t.target)});
     for (Node_index common : {s.source, s.target}) {
       if (common != t.source && common != t.target) continue;
       const Node_index n = common == s.source ? s.target : s.source, m = common == t.source ? t.target : t.source;
@@ -265,7 +271,7 @@ Snapped_segments snap(const Layer_drawing<Traits>& drawing, Checked_drawing<Trai
   Snapped_segments result;
   const bool is_sure = checked.has_loose_nodes || checked.has_short_segments;
   if (!is_sure && !(tolerance == 0 && checked.has_neighbours)) {
-    const double reach = tolerance == 0 ? 0 : std::fmax(tolerance, checked.chord_error);
+    const double reach = tolerance == 0 ? 0 : std::fmax(tolerance, checked.reach);
     result = straight_segments(drawing, nodes);
     result.near = near_steps<SegmentIndex>(result.steps, {}, nodes, reach + slack);
     if (!Snap_need<Traits>(drawing, result.steps, nodes, tolerance).exists(result.near)) return result;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -134,11 +135,13 @@ class Node_merger {
       boxes.push_back(nodes_.box(Node_index(i)));
     }
     const SegmentIndex index(boxes);
+    const double reach = std::accumulate(nodes_.reaches.begin(), nodes_.reaches.end(), tolerance_,
+                                         [](double a, double b) { return std::max(a, b); });
     std::vector<Pair> pairs;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < standing.size(); ++i) {
       found.clear();
-      index.candidates(inflated(boxes[i], tolerance_), std::back_inserter(found));
+      index.candidates(inflated(boxes[i], reach), std::back_inserter(found));
       for (std::size_t j : found) {
         if (i < j) add_pair(standing[i], standing[j], pairs);
       }
@@ -148,7 +151,9 @@ class Node_merger {
 
   void add_pair(Node_index n, Node_index m, std::vector<Pair>& pairs) const {
     const double d = distance(nodes_.place(n), nodes_.place(m));
-    if (d > tolerance_ || (rank(n) == 0 && rank(m) == 0)) return;
+    const bool is_one_fixed = nodes_.fixed[n.value()] != nodes_.fixed[m.value()];
+    const double allowed = is_one_fixed ? std::max(tolerance_, nodes_.reach(n, m)) : tolerance_;
+    if (d > allowed || (rank(n) == 0 && rank(m) == 0)) return;
     const bool keep_first = std::tuple(rank(n), n) < std::tuple(rank(m), m);
     pairs.push_back({std::min(rank(n), rank(m)), d, keep_first ? n : m, keep_first ? m : n});
   }

@@ -93,6 +93,9 @@ class Segment_snapper {
   // Design, 'Facets of the same arc differ'.
   double tolerance(Node_index n, std::size_t s) const {
     double result = tolerance_;
+    // What was carried here reaches for what is fixed.
+    if (nodes_.fixed[n.value()] != drawing_.segments[s].fixed)
+      result = std::max(result, drawing_.segments[s].fixed ? nodes_.reach(n) : segment_reach(s));
     const double chord = drawing_.segments[s].chord_error;
     if (!(chord > 0)) return result;
     for (std::size_t own : own_[n.value()]) {
@@ -102,8 +105,12 @@ class Segment_snapper {
     return result;
   }
 
+  double segment_reach(std::size_t s) const {
+    return nodes_.reach(drawing_.segments[s].source, drawing_.segments[s].target);
+  }
+
   double reach(Node_index n) const {
-    double result = tolerance_;
+    double result = std::max(tolerance_, nodes_.reach(n));
     for (std::size_t own : own_[n.value()]) result = std::fmax(result, drawing_.segments[own].chord_error);
     return result;
   }
@@ -123,7 +130,7 @@ class Segment_snapper {
     std::vector<CGAL::Bbox_2> boxes;
     for (std::size_t s : segments) {
       boxes.push_back(
-          inflated(nodes_.box(a(s), b(s)), 2 * drawing_.segments[s].chord_error + displacement(s)));
+          inflated(nodes_.box(a(s), b(s)), 2 * drawing_.segments[s].chord_error + segment_reach(s) + displacement(s)));
     }
     return SegmentIndex(boxes);
   }

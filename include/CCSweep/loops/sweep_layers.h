@@ -34,7 +34,7 @@ class Layer_sweeper {
 
  public:
   Layer_sweeper(const Part<Traits>& part, const Roles& roles, const Layering& layering, const Wall_sections& sections,
-                double tolerance, std::size_t neighbours, Visitor& visitor)
+                double tolerance, double reach, std::size_t neighbours, Visitor& visitor)
       : part_(part),
         roles_(roles),
         layering_(layering),
@@ -42,6 +42,7 @@ class Layer_sweeper {
         tolerance_(tolerance),
         neighbours_(neighbours),
         visitor_(visitor) {
+    loops_.reach = reach;
     loops_.is_upright = all_walls_upright();
   }
 
@@ -286,15 +287,16 @@ class Layer_sweeper {
 ///
 /// \tparam SegmentIndex a model of `SegmentIndex_2`
 /// \tparam PointIndex a model of `PointIndex_3`
+/// \param tolerance, reach how far nodes snap to one another, and what was carried up to the surface, if that is more
 /// \return the imprinted layers; or the layer, the patches and the place where the imprint or the projection failed.
 /// Complexity: O(n log n) in the nodes and crossings of all layers.
 template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 Result<Layered_loops<Traits>> sweep_layers(const Part<Traits>& part, const Roles& roles, const Layering& layering,
                                            const Wall_sections& sections, double tolerance, std::size_t neighbours,
-                                           Visitor& visitor) {
+                                           Visitor& visitor, double reach = 0) {
   return internal::guarded([&] {
     return internal::Layer_sweeper<Traits, SegmentIndex, PointIndex, Visitor>(part, roles, layering, sections,
-                                                                              tolerance, neighbours, visitor)
+                                                                              tolerance, reach, neighbours, visitor)
         .run();
   });
 }
