@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 // Moving the nodes of bad hexahedra.
@@ -18,21 +19,22 @@ using CCSweep::Patch_index;
 using CCSweep::Role;
 using CCSweep::internal::Vec3;
 
-constexpr std::uint32_t width = 2, nodes_across = width + 1;
+constexpr std::uint32_t width = 4, nodes_across = width + 1;
 
 std::uint32_t node(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
   return i + nodes_across * (j + nodes_across * k);
 }
 
-/// Two by two by two hexahedra on the floor z = 0: patch 0, below a ceiling of patch 1 and between four walls.
+/// Four by four by four hexahedra between a floor, patch 0, a ceiling, patch 1, and four walls.
 struct Block {
   Hex_mesh mesh;
   std::vector<Patch_index> patch;
 
-  explicit Block(double height) {
+  /// \param heights of the layers of nodes
+  explicit Block(const std::array<double, nodes_across>& heights) {
     for (std::uint32_t k = 0; k <= width; ++k)
       for (std::uint32_t j = 0; j <= width; ++j)
-        for (std::uint32_t i = 0; i <= width; ++i) mesh.points.push_back({double(i), double(j), k * height});
+        for (std::uint32_t i = 0; i <= width; ++i) mesh.points.push_back({double(i), double(j), heights[k]});
     for (std::uint32_t k = 0; k < width; ++k)
       for (std::uint32_t j = 0; j < width; ++j)
         for (std::uint32_t i = 0; i < width; ++i)
@@ -61,12 +63,13 @@ struct Block {
     patch.push_back(Patch_index(p));
   }
 
-  std::vector<double> smooth(double height) {
+  void smooth() {
+    const double floor = mesh.points.front()[2], ceiling = mesh.points.back()[2];
     const auto drop = [&](Patch_index cap, Vec3 p) {
-      p[2] = cap == Patch_index(0) ? 0 : width * height;
+      p[2] = cap == Patch_index(0) ? floor : ceiling;
       return p;
     };
-    return CCSweep::internal::Hex_smoother(mesh, patch, drop).run(0.5);
+    CCSweep::internal::Hex_smoother(mesh, patch, drop).run(0.5);
   }
 };
 
@@ -84,24 +87,28 @@ double least_distance(const Hex_mesh& mesh) {
 BOOST_AUTO_TEST_SUITE(hex_smoother)
 
 BOOST_AUTO_TEST_CASE(nodes_where_caps_meet_walls_stay) {
-  Block block(1);
+  Block block({0, 1, 2, 3, 4});
   for (std::uint32_t k = 0; k <= width; ++k) block.mesh.points[node(1, 0, k)] = {0.3, 0.9, double(k)};
   const auto before = block.mesh.points;
-  block.smooth(1);
-  for (std::uint32_t n = 0; n < before.size(); ++n) {
-    const bool is_inside = n % (nodes_across * nodes_across) == node(1, 1, 0);
-    BOOST_TEST((is_inside || before[n] == block.mesh.points[n]));
-  }
+  block.smooth();
+  for (std::uint32_t k = 0; k <= width; ++k)
+    for (std::uint32_t j = 0; j <= width; ++j)
+      for (std::uint32_t i = 0; i <= width; ++i)
+        if (i == 0 || i == width || j == 0 || j == width)
+          BOOST_TEST((before[node(i, j, k)] == block.mesh.points[node(i, j, k)]));
 }
 
 BOOST_AUTO_TEST_CASE(no_node_runs_into_its_neighbour) {
-  constexpr double height = 0.02;
-  Block block(height);
-  for (std::uint32_t n = 0; n < node(0, 0, 1); ++n)
-    for (int axis : {0, 1}) block.mesh.points[n][axis] += 0.3;
-  const double before = least_distance(block.mesh);
-  block.smooth(height);
-  BOOST_TEST(least_distance(block.mesh) >= before / 8);
+  std::mt19937 random(1);
+  const auto shift = [&] { return 0.6 * (double(random()) / double(std::mt19937::max()) - 0.5); };
+  for (int i = 0; i < 20; ++i) {
+    Block block({0, 0.01, 0.02, 1, 1.01});
+    for (auto& p : block.mesh.points)
+      for (int axis : {0, 1}) p[axis] += shift();
+    const double before = least_distance(block.mesh);
+    block.smooth();
+    BOOST_TEST(least_distance(block.mesh) > before / 16);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
