@@ -15,6 +15,7 @@
 #include <CCSweep/volumes/make_cut_rows.h>
 #include <CCSweep/volumes/make_sub_volumes.h>
 #include <CCSweep/volumes/separate_fans.h>
+#include <CCSweep/volumes/triangulate_plane.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <boost/test/unit_test.hpp>
@@ -598,6 +599,20 @@ BOOST_AUTO_TEST_CASE(an_open_surface_has_no_fans) {
   Touching_boxes boxes(0);
   boxes.triangles.pop_back();
   BOOST_TEST(!boxes.fans().has_value());
+}
+
+BOOST_AUTO_TEST_CASE(curves_that_cross_in_a_plane_are_told_with_their_place) {
+  internal::Planar_region<Kernel> region;
+  region.points = {{1, {0, 0}}, {2, {4, 0}}, {3, {4, 4}}, {4, {0, 4}}, {5, {1, 1}}, {6, {3, 3}}};
+  region.boundary = {{1, 2}, {2, 3}, {3, 4}, {4, 1}};
+  region.curves = {{5, 6}};
+  using Triangulation = internal::Region_triangulation<Kernel>;
+  std::uint32_t fault = 0;
+  BOOST_TEST(Triangulation::run(region, &fault)->size() == 6u);
+  region.points.insert({{7, {1, 3}}, {8, {3, 1}}});
+  region.curves.push_back({7, 8});
+  BOOST_TEST(!Triangulation::run(region, &fault));
+  BOOST_TEST(fault == 7u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

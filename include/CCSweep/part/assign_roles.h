@@ -282,9 +282,9 @@ std::vector<Roles> ranked(const Part<Traits>& part, std::vector<Axis_trial> tria
 /// fits, walks from each planar patch over the linking faces to find one that bends.
 ///
 /// \return the possible roles, best first: without walls that are steep or narrow to a point (a sweep along the
-/// diagonal of a chamfered block fits, but is nobody's first choice), fewest targets, then smaller target area, then the lowest patch id among
-/// the targets; never empty. Where there are none: `not_sweepable` with, for the best axis, the patches that stand in
-/// the way and why; `invalid_parameter` where the request names no patch of the part.
+/// diagonal of a chamfered block fits, but is nobody's first choice), fewest targets, then smaller target area, then
+/// the lowest patch id among the targets; never empty. Where there are none: `not_sweepable` with, for the best axis,
+/// the patches that stand in the way and why; `invalid_parameter` where the request names no patch of the part.
 /// Complexity: linear in the faces, times the number of candidate axes.
 template <class Traits>
 Result<std::vector<Roles>> assign_roles(const Part<Traits>& part, const Role_request& request) {
