@@ -82,6 +82,10 @@ int finish(const Status& status, const Options& options, const Progress& progres
   if (exit == 0) return exit;
   std::cerr << "ccsweep: " << name(status.code) << ": " << status.reason;
   if (!status.patches.empty()) std::cerr << " (patches " << list(status.patches) << ')';
+  if (status.place) {
+    const auto& [x, y, z] = *status.place;
+    std::cerr << " near (" << x << ", " << y << ", " << z << ')';
+  }
   std::cerr << '\n';
   if (exit == 2) return exit;
   if (!options.folder.empty())

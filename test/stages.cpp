@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each stage by itself, on parts small enough to know what it must hand on.
+#include <CCSweep/IO/read_part.h>
 #include <CCSweep/internal/connect_triangles.h>
 #include <CCSweep/linking/Column_map.h>
 #include <CCSweep/linking/make_layering.h>
@@ -16,6 +17,7 @@
 #include <CCSweep/volumes/make_cut_rows.h>
 #include <CCSweep/volumes/make_sub_volumes.h>
 #include <CCSweep/volumes/separate_fans.h>
+#include <CCSweep/volumes/triangulate_plane.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <boost/test/unit_test.hpp>
@@ -308,6 +310,21 @@ BOOST_AUTO_TEST_CASE(caps_are_told_from_walls_and_fewest_targets_come_first) {
     BOOST_TEST(count(all[i - 1], Role::target) <= count(all[i], Role::target));
 }
 
+BOOST_AUTO_TEST_CASE(walls_that_narrow_to_a_point_are_no_first_choice) {
+  // A gusset between a plate and a wall: up the wall there is one target only, but the gusset's sides end in nothing.
+  const auto file = read_part<Kernel::Point_3>(CCSWEEP_TEST_DATA "/gusset.ply");
+  BOOST_TEST_REQUIRE(file.ok());
+  const auto& mesh = file.value().mesh;
+  const auto all = assign_roles(make_part<Kernel>(mesh, mesh.points(), file.value().patch_ids()).value(), {}).value();
+  const auto last_along = [&](int axis) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (std::abs(all[i].direction[axis]) == 1) last = i;
+    return last;
+  };
+  BOOST_TEST(last_along(1) < last_along(2));
+}
+
 BOOST_AUTO_TEST_CASE(a_knife_edge_is_refused_by_name) {
   // A wedge whose floor meets its roof: along z there is no wall between them.
   const Part_type part = part_of(prism({{0, 0}, {4, 0}, {4, 1}}));
@@ -331,6 +348,32 @@ BOOST_AUTO_TEST_CASE(a_fillet_between_cap_and_wall_is_refused_by_name) {
   BOOST_TEST((status.stage == Stage::roles));
   BOOST_TEST((status.patches == std::vector{2}));
   BOOST_TEST(assign_roles(part, Role_request{{0, 1, 0}, {}, {}}).ok());
+}
+
+BOOST_AUTO_TEST_CASE(a_chamfer_of_coarse_facets_is_a_wall) {
+  // A cylinder whose upper edge is cut off at 45 degrees; the circles at the two ends of the cone have different nodes.
+  constexpr std::size_t n = 12;
+  Soup soup;
+  for (const auto& [radius, z, turn] : {std::array{6., 0., 0.}, {6., 3., 0.}, {5., 4., 0.5}})
+    for (std::size_t i = 0; i < n; ++i)
+      soup.points.push_back({radius * std::cos(2 * pi * (double(i) + turn) / n),
+                             radius * std::sin(2 * pi * (double(i) + turn) / n), z});
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c, int patch) {
+    soup.triangles.push_back({a, b, c});
+    soup.patch.push_back(patch);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    for (std::size_t ring : {0, 1}) {
+      add(ring * n + i, ring * n + j, (ring + 1) * n + i, static_cast<int>(ring));
+      add(ring * n + j, (ring + 1) * n + j, (ring + 1) * n + i, static_cast<int>(ring));
+    }
+    if (i == 0 || j == 0) continue;
+    add(0, j, i, 2);
+    add(2 * n, 2 * n + i, 2 * n + j, 3);
+  }
+  const Roles roles = roles_along(part_of(soup), {0, 0, 1});
+  BOOST_TEST(count(roles, Role::linking) == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(forced_caps_decide_the_axis) {
@@ -642,6 +685,20 @@ BOOST_AUTO_TEST_CASE(an_open_surface_has_no_fans) {
   Touching_boxes boxes(0);
   boxes.triangles.pop_back();
   BOOST_TEST(!boxes.fans().has_value());
+}
+
+BOOST_AUTO_TEST_CASE(curves_that_cross_in_a_plane_are_told_with_their_place) {
+  internal::Planar_region<Kernel> region;
+  region.points = {{1, {0, 0}}, {2, {4, 0}}, {3, {4, 4}}, {4, {0, 4}}, {5, {1, 1}}, {6, {3, 3}}};
+  region.boundary = {{1, 2}, {2, 3}, {3, 4}, {4, 1}};
+  region.curves = {{5, 6}};
+  using Triangulation = internal::Region_triangulation<Kernel>;
+  std::uint32_t fault = 0;
+  BOOST_TEST(Triangulation::run(region, &fault)->size() == 6u);
+  region.points.insert({{7, {1, 3}}, {8, {3, 1}}});
+  region.curves.push_back({7, 8});
+  BOOST_TEST(!Triangulation::run(region, &fault));
+  BOOST_TEST(fault == 7u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -71,7 +71,7 @@ class Decomposer {
       // Candidates with equally many targets compete by their decomposition sets.
       std::size_t j = i + 1;
       if (targets(candidates[i]) > 1)
-        while (j < candidates.size() && candidates[j].is_steep == candidates[i].is_steep &&
+        while (j < candidates.size() && candidates[j].is_doubtful == candidates[i].is_doubtful &&
                targets(candidates[j]) == targets(candidates[i]))
           ++j;
       if (auto best = best_of(candidates, i, j)) return best;

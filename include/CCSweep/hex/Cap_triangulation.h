@@ -66,9 +66,9 @@ class Cap_triangulation {
   /// False where the loops cross each other: the boundary needs more nodes.
   bool run() {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const auto a = vertex(edges_[e].a), b = vertex(edges_[e].b);
-      if (a == b || a == nullptr || b == nullptr) return false;
-      try {
+      try {  // a node may be in the way of an edge as well
+        const auto a = vertex(edges_[e].a), b = vertex(edges_[e].b);
+        if (a == b || a == nullptr || b == nullptr) return false;
         mesh_.insert_constraint(a, b);
       } catch (const Cdt::Intersection_of_constraints_exception&) {
         return false;

@@ -28,10 +28,14 @@ class Hex_smoother {
 
   /// \param patch by boundary quad
   Hex_smoother(Hex_mesh& mesh, const std::vector<Patch_index>& patch, Drop drop)
-      : mesh_(mesh), drop_(std::move(drop)), place_(mesh.points.size(), Place::free), cap_(mesh.points.size()) {
+      : mesh_(mesh),
+        drop_(std::move(drop)),
+        place_(mesh.points.size(), Place::free),
+        cap_(mesh.points.size()),
+        room_(mesh.points.size(), 0.0) {
     for (std::size_t q = 0; q < patch.size(); ++q)
       for (std::uint32_t n : mesh.boundary[q].nodes) {
-        const bool agrees = place_[n] == Place::free || cap_[n] == patch[q];
+        const bool agrees = place_[n] == Place::free || (place_[n] == Place::on_cap && cap_[n] == patch[q]);
         place_[n] = agrees && mesh.boundary[q].role != Role::linking ? Place::on_cap : Place::fixed;
         cap_[n] = patch[q];
       }
@@ -126,6 +130,7 @@ class Hex_smoother {
         if (m != n) shortest = std::min(shortest, length);
         middle = middle + (1.0 / (8.0 * (first_[n + 1] - first_[n]))) * mesh_.points[m];
       }
+    if (room_[n] == 0) room_[n] = shortest / 4;
     double best = badness_around(n, std::numeric_limits<double>::infinity());
     bool moved = try_place(n, middle, best);
     double step = std::min(longest / 4, 4 * shortest);
@@ -153,18 +158,29 @@ class Hex_smoother {
     const Vec3 old = mesh_.points[n];
     mesh_.points[n] = place_[n] == Place::free ? p : drop_(cap_[n], p);
     const double wanted = aim_ == Aim::all_better ? 0.99 * best : best - 1e-3;
-    if (const double now = badness_around(n, wanted); now < wanted) {
-      best = now;
-      return true;
+    if (has_room(n)) {
+      if (const double now = badness_around(n, wanted); now < wanted) {
+        best = now;
+        return true;
+      }
     }
     mesh_.points[n] = old;
     return false;
+  }
+
+  // A scaled Jacobian does not see lengths: for the better direction of an edge a node would run into its neighbour.
+  bool has_room(std::uint32_t n) const {
+    for (std::uint32_t i = first_[n]; i < first_[n + 1]; ++i)
+      for (std::uint32_t m : mesh_.hexes[around_[i]])
+        if (m != n && !(norm(mesh_.points[m] - mesh_.points[n]) >= room_[n])) return false;
+    return true;
   }
 
   Hex_mesh& mesh_;
   Drop drop_;
   std::vector<Place> place_;       // by node
   std::vector<Patch_index> cap_;   // by node that is on one
+  std::vector<double> room_;       // by node that may move: how near it may come to its neighbours
   std::vector<std::uint32_t> first_, around_;  // hexahedra by node
   std::vector<double> quality_;                // by hexahedron
   std::vector<bool> may_gain_;                 // by node: something around it has moved since it was tried in vain

@@ -14,7 +14,7 @@ namespace CCSweep {
 struct Roles {
   std::array<double, 3> direction{};             ///< unit vector from targets to sources, at the targets
   std::vector<Role> of_patch;                    ///< by `Patch_index`; never `Role::cut`
-  bool is_steep = false;                         ///< a wall leans by more than 37 degrees
+  bool is_doubtful = false;                      ///< a wall leans by more than 37 degrees, or narrows to a point
   std::vector<std::array<double, 3>> along_face; ///< of a bent sweep, by face: where it leads; empty if it is straight
 
   bool is_straight() const { return along_face.empty(); }

@@ -8,6 +8,7 @@
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 #include <CCSweep/part/candidate_axes.h>
+#include <CCSweep/part/pointed_walls.h>
 #include <CCSweep/part/upright_axis.h>
 #include <CCSweep/part/walk_roles.h>
 
@@ -26,7 +27,8 @@ namespace internal {
 // A patch stands across the sweep (a cap), along it (linking), or it does neither. The limits leave room for drafts,
 // chamfers and domes: a wall may lean by 48 degrees, a cap may bend by 72.
 struct Role_limits {
-  static constexpr double steepest_wall = 0.75;   // |n.d|
+  static constexpr double steepest_wall = 0.75;   // |n.d|, in the mean
+  static constexpr double steepest_facet = 0.8;   // of a wall: those of a cone stand steeper and flatter than it does
   static constexpr double steep_wall = 0.6;       // |n.d| of a wall that hardly is one any more
   static constexpr double flattest_cap = 0.3;     // |n.d| anywhere on a cap
   static constexpr double tangent = 30 * 3.14159265358979323846 / 180;
@@ -74,7 +76,8 @@ inline bool is_cap(const Patch_slope& s) {
          (s.low > Role_limits::flattest_cap || s.high < -Role_limits::flattest_cap);
 }
 inline bool is_wall(const Patch_slope& s) {
-  return s.low >= -Role_limits::steepest_wall && s.high <= Role_limits::steepest_wall;
+  return std::abs(s.mean) <= Role_limits::steepest_wall && s.low >= -Role_limits::steepest_facet &&
+         s.high <= Role_limits::steepest_facet;
 }
 
 template <class Traits>
@@ -92,7 +95,7 @@ void classify_patches(const Part<Traits>& part, Axis_trial& trial) {
                      (s.low * s.high < 0 ? " (a hole across the sweep, or a closed round surface)"
                                          : " (it bends from cap to wall: a fillet?)")});
     } else if (std::max(-s.low, s.high) > Role_limits::steep_wall) {
-      trial.roles.is_steep = true;
+      trial.roles.is_doubtful = true;
     }
     if (role == Role::target) {
       trial.lowest_target = trial.targets == 0 ? part.patch_id[p] : std::min(trial.lowest_target, part.patch_id[p]);
@@ -141,6 +144,7 @@ Axis_trial try_axis(const Part<Traits>& part, const Vec3& direction) {
   trial.roles.direction = direction;
   classify_patches(part, trial);
   if (trial.objections.empty()) check_curves(part, trial);
+  if (trial.objections.empty() && has_pointed_wall(part, trial.roles)) trial.roles.is_doubtful = true;
   auto has = [&](Role role) {
     return std::find(trial.roles.of_patch.begin(), trial.roles.of_patch.end(), role) != trial.roles.of_patch.end();
   };
@@ -253,8 +257,8 @@ std::vector<Roles> ranked(const Part<Traits>& part, std::vector<Axis_trial> tria
   // Areas that differ by rounding only must not decide before the patch ids do.
   const double unit_area = 1e-9 * part.diagonal * part.diagonal;
   std::stable_sort(trials.begin(), trials.end(), [&](const Axis_trial& a, const Axis_trial& b) {
-    return std::tuple(a.roles.is_steep, a.targets, std::llround(a.target_area / unit_area), a.lowest_target) <
-           std::tuple(b.roles.is_steep, b.targets, std::llround(b.target_area / unit_area), b.lowest_target);
+    return std::tuple(a.roles.is_doubtful, a.targets, std::llround(a.target_area / unit_area), a.lowest_target) <
+           std::tuple(b.roles.is_doubtful, b.targets, std::llround(b.target_area / unit_area), b.lowest_target);
   });
   std::vector<Roles> result;
   for (Axis_trial& trial : trials) result.push_back(std::move(trial.roles));
@@ -281,10 +285,10 @@ std::vector<Roles> ranked(const Part<Traits>& part, std::vector<Axis_trial> tria
 /// Tautges 2000), by the angles of the patches with the sweep and of the curves between them; where no straight sweep
 /// fits, walks from each planar patch over the linking faces to find one that bends.
 ///
-/// \return the possible roles, best first: without steep walls (a sweep along the diagonal of a chamfered block fits,
-/// but is nobody's first choice), fewest targets, then smaller target area, then the lowest patch id among
-/// the targets; never empty. Where there are none: `not_sweepable` with, for the best axis, the patches that stand in
-/// the way and why; `invalid_parameter` where the request names no patch of the part.
+/// \return the possible roles, best first: without walls that are steep or narrow to a point (a sweep along the
+/// diagonal of a chamfered block fits, but is nobody's first choice), fewest targets, then smaller target area, then
+/// the lowest patch id among the targets; never empty. Where there are none: `not_sweepable` with, for the best axis,
+/// the patches that stand in the way and why; `invalid_parameter` where the request names no patch of the part.
 /// Complexity: linear in the faces, times the number of candidate axes.
 template <class Traits>
 Result<std::vector<Roles>> assign_roles(const Part<Traits>& part, const Role_request& request) {

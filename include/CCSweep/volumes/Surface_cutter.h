@@ -225,11 +225,12 @@ class Surface_cutter {
     for (const auto* list : {&region.boundary, &region.curves})
       for (const auto& [v, w] : *list)
         for (Vertex u : {v, w}) region.points.emplace(u, Point_2(surface_.points[u][x], surface_.points[u][y]));
-    const auto triangles = Region_triangulation<Traits>::run(region);
+    std::uint32_t fault = 0;
+    const auto triangles = Region_triangulation<Traits>::run(region, &fault);
     if (!triangles)
       fail(Status_code::cut_failed, Stage::sub_volumes,
            "the curves on patch " + std::to_string(part_.id(patch)) + " cross or fall together", {part_.id(patch)},
-           coordinates(region.boundary.front().first));
+           coordinates(fault));
     for (const Triangle& t : *triangles) add_triangle(t, patch);
   }
 

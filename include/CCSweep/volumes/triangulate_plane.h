@@ -54,9 +54,13 @@ class Region_triangulation {
 
  public:
   /// The triangles, counter-clockwise; nothing where two vertices fall together or curves cross.
-  static std::optional<std::vector<Triangle>> run(const Planar_region<Traits>& region) {
+  /// \param fault is then set to a vertex near by
+  static std::optional<std::vector<Triangle>> run(const Planar_region<Traits>& region,
+                                                  std::uint32_t* fault = nullptr) {
     Region_triangulation t;
-    return t.insert(region) ? t.triangles(region) : std::nullopt;
+    auto result = t.insert(region) ? t.triangles(region) : std::nullopt;
+    if (!result && fault) *fault = t.last_;
+    return result;
   }
 
  private:
@@ -64,11 +68,18 @@ class Region_triangulation {
     std::vector<std::pair<typename Traits::Point_2, std::uint32_t>> points;
     for (const auto& [v, p] : region.points) points.emplace_back(p, v);
     triangulation_.insert(points.begin(), points.end());
-    if (triangulation_.number_of_vertices() != points.size()) return false;
     for (auto v : triangulation_.finite_vertex_handles()) vertex_[v->info()] = v;
+    if (vertex_.size() != points.size()) {
+      for (const auto& [p, v] : points)
+        if (!vertex_.count(v)) last_ = v;
+      return false;
+    }
     try {
       for (const auto* list : {&region.boundary, &region.curves})
-        for (const auto& [a, b] : *list) triangulation_.insert_constraint(vertex_.at(a), vertex_.at(b));
+        for (const auto& [a, b] : *list) {
+          last_ = a;
+          triangulation_.insert_constraint(vertex_.at(a), vertex_.at(b));
+        }
     } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }
@@ -111,6 +122,7 @@ class Region_triangulation {
 
   Triangulation triangulation_;
   std::unordered_map<std::uint32_t, typename Triangulation::Vertex_handle> vertex_;
+  std::uint32_t last_ = 0;  // the vertex that was worked on last
 };
 
 }  // namespace CCSweep::internal
