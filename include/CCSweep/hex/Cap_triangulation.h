@@ -296,8 +296,10 @@ class Cap_triangulation {
 
   void collect() {
     triangles.clear();
-    for (auto f : mesh_.finite_face_handles())
-      if (f->info() == Side::inside) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+    for (auto f : mesh_.finite_face_handles()) {
+      if (f->info() != Side::inside) continue;
+      triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+    }
   }
 
   double size_;

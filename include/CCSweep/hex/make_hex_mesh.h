@@ -35,8 +35,8 @@
 namespace CCSweep {
 namespace internal {
 
-/// Makes room for further elements: for no more than these where that is much, so that a large cell fills no more memory
-/// than it needs, but for many small cells at once.
+/// Makes room for further elements: for no more than these where that is much, so that a large cell fills no more
+/// memory than it needs, but for many small cells at once.
 template <class T>
 void reserve_more(std::vector<T>& list, std::size_t count) {
   const std::size_t wanted = list.size() + count;
@@ -55,8 +55,8 @@ class Hex_mesher {
     for (const Cell& cell : cells_) turns_.push_back(cell_turns(stack_, arcs_, cell));
   }
 
-  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then smaller
-  /// quads inside them; then more intervals.
+  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then
+  /// smaller quads inside them; then more intervals.
   Hex_mesh run() {
     constexpr int tries = 6;
     Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {
@@ -137,8 +137,8 @@ class Hex_mesher {
     for (std::size_t arc_class : too_coarse) intervals.refine(arc_class);
   }
 
-  // The classes of the arcs at fault, else, of a cell that has a mesh, of those at narrow gaps, or of all where there is
-  // none.
+  // The classes of the arcs at fault, else, of a cell that has a mesh, of those at narrow gaps, or of all where there
+  // is none.
   std::set<std::size_t> arcs_to_refine(std::size_t c, bool has_mesh, const Arc_intervals& intervals) const {
     const Cell& cell = cells_[c];
     std::vector<Arc_stack::Half_arc> halves;
