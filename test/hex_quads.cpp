@@ -22,6 +22,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -200,6 +201,15 @@ BOOST_AUTO_TEST_CASE(a_loop_of_odd_nodes_can_be_matched_with_another) {
   region.loops = {polygon(circle(5, 25, false), 10), polygon(circle(2, 11, true), 10)};
   expect_covers(region, CCSweep::Matched_quads()(region, 1.2), 0.2);
   BOOST_TEST(!CCSweep::Subdivided_quads()(region, 1.2).has_value());
+}
+
+// A triangle that is left over stays so however often it is split itself.
+BOOST_AUTO_TEST_CASE(triangles_left_over_get_partners) {
+  for (const auto& [outer, inner] : {std::pair(25, 11), std::pair(19, 7), std::pair(34, 10)}) {
+    Quad_region region;
+    region.loops = {polygon(circle(5, outer, false), 10), polygon(circle(2, inner, true), 10)};
+    expect_covers(region, CCSweep::Matched_quads()(region, 1.2));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(outlines_that_cross_themselves_are_refused) {

@@ -202,7 +202,7 @@ inline constexpr bool is_sub_volume<Sub_volume<Point>> = true;
 /// The sizes are a number or a `SizingField`, for example `Patch_sizes(2).patch(7, 0.5)`.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each column's section.
 template <class FaceGraph, class NamedParameters>
-  requires(!internal::is_decomposition<FaceGraph> && !internal::is_sub_volume<FaceGraph> && SweepMesh<FaceGraph>)
+  requires(!internal::is_decomposition<FaceGraph> && !internal::is_sub_volume<FaceGraph>) && SweepMesh<FaceGraph>
 Result<Hex_mesh> hex_mesh(const FaceGraph& mesh, const NamedParameters& np) {
   using Call = internal::Call<FaceGraph, NamedParameters>;
   using Traits = typename Call::Traits;
@@ -241,9 +241,9 @@ Result<Hex_mesh> hex_mesh(const Decomposition<Point>& decomposition, const Named
   });
 }
 
-/// Meshes one sub-volume by itself, in the direction that suits it best: its own, from its target to its sources, or if a
-/// good mesh does not come of that, any other in which it can be swept. Its cuts then are faces like all others, so
-/// the mesh need not conform to those of its neighbours.
+/// Meshes one sub-volume by itself, in the direction that suits it best: its own, from its target to its sources, or if
+/// no good mesh comes of that, any other in which it can be swept. Its cuts then are faces like all others, so the mesh
+/// need not conform to those of its neighbours.
 /// \param np a sequence of named parameters; `size` is needed
 template <class Point, class NamedParameters>
 Result<Hex_mesh> hex_mesh(const Sub_volume<Point>& volume, const NamedParameters& np) {

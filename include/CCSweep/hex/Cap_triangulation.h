@@ -63,7 +63,7 @@ class Cap_triangulation {
     near_ = decltype(near_)(boxes);
   }
 
-  /// False where the loops cross each other: the boundary needs more nodes.
+  /// False where the loops cross themselves or each other, be it in a node: the boundary needs more nodes.
   bool run() {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       try {  // a node may be in the way of an edge as well
@@ -74,9 +74,9 @@ class Cap_triangulation {
         return false;
       }
     }
-    for (const Edge& e : edges_)
-      if (!mesh_.is_edge(handles_.at(e.a), handles_.at(e.b))) return false;
     mark_inside();
+    for (const Edge& e : edges_)
+      if (!is_inside_on_left(handles_.at(e.a), handles_.at(e.b))) return false;
     insert_lattice();
     refine();
     open_flat_corners();
@@ -133,6 +133,15 @@ class Cap_triangulation {
       handles_[n] = v;
     }
     return handles_[n];
+  }
+
+  // Whether two vertices are joined by an edge with the region on its left.
+  bool is_inside_on_left(Handle a, Handle b) const {
+    Cdt::Face_handle f;
+    int i = 0;
+    if (!mesh_.is_edge(a, b, f, i)) return false;
+    const auto left = f->vertex(Cdt::ccw(i)) == a ? f : f->neighbor(i);
+    return left->info() == Side::inside;
   }
 
   // Faces to which an odd number of constraints leads from outside.
@@ -296,8 +305,10 @@ class Cap_triangulation {
 
   void collect() {
     triangles.clear();
-    for (auto f : mesh_.finite_face_handles())
-      if (f->info() == Side::inside) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+    for (auto f : mesh_.finite_face_handles()) {
+      if (f->info() != Side::inside) continue;
+      triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+    }
   }
 
   double size_;

@@ -11,8 +11,8 @@
 
 namespace CCSweep {
 
-/// What the angles of a part and of its imprint allow at a node on the outline of a cap: of the hexahedra that meet there
-/// and keep to the curves, one has no more than this scaled Jacobian.
+/// What the angles of a part and of its imprint allow at a node on the outline of a cap: of the hexahedra that meet
+/// there and keep to the curves, one has no more than this scaled Jacobian.
 struct Angle_bound {
   double scaled_jacobian = 1;
   double angle = 90;  ///< which the outline encloses there on the cap, in degrees

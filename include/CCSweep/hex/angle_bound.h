@@ -31,8 +31,8 @@ inline double angle_in_plane(const Outline_corner& corner, const Plane_chart& pl
   return angle > 0 ? angle : angle + 2 * std::numbers::pi;
 }
 
-/// The normal of a cap at a node of its outline, along the sweep: that of the plane through the node and two places near
-/// by, which divide the angle there in three.
+/// The normal of a cap at a node of its outline, along the sweep: that of the plane through the node and two places
+/// near by, which divide the angle there in three.
 /// \param drop callable as `(const Vec3&) -> Vec3`: puts a place on the cap
 template <class Drop>
 Vec3 cap_normal(const Outline_corner& corner, const Plane_chart& plane, const Drop& drop) {
@@ -48,8 +48,8 @@ Vec3 cap_normal(const Outline_corner& corner, const Plane_chart& plane, const Dr
 
 /// What the angles at a node on the outline of a cap allow. The hexahedra around the column of the node share the angle
 /// of the cap there. One alone has all three edges given. Of several the inner edges lie in the cap, whose normal is
-/// given, so that each has at most the sine of its share times that of the wall's slope. Where no wall is, the column may
-/// stand upright. Exact where the cap is plane.
+/// given, so that each has at most the sine of its share times that of the wall's slope. Where no wall is, the column
+/// may stand upright. Exact where the cap is plane.
 /// \param is_source whether the cap is the upper end of the cell
 template <class Drop>
 Angle_bound angle_bound(const Outline_corner& corner, const Plane_chart& plane, const Drop& drop, bool is_source) {

@@ -35,8 +35,8 @@
 namespace CCSweep {
 namespace internal {
 
-/// Makes room for further elements: for no more than these where that is much, so that a large cell fills no more memory
-/// than it needs, but for many small cells at once.
+/// Makes room for further elements: for no more than these where that is much, so that a large cell fills no more
+/// memory than it needs, but for many small cells at once.
 template <class T>
 void reserve_more(std::vector<T>& list, std::size_t count) {
   const std::size_t wanted = list.size() + count;
@@ -55,8 +55,8 @@ class Hex_mesher {
     for (const Cell& cell : cells_) turns_.push_back(cell_turns(stack_, arcs_, cell));
   }
 
-  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then smaller
-  /// quads inside them; then more intervals.
+  /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then
+  /// smaller quads inside them; then more intervals.
   Hex_mesh run() {
     constexpr int tries = 6;
     Arc_intervals intervals(arcs_, [&](std::size_t k, const Arc_stack::Arc& arc) {
@@ -137,8 +137,8 @@ class Hex_mesher {
     for (std::size_t arc_class : too_coarse) intervals.refine(arc_class);
   }
 
-  // The classes of the arcs at fault, else, of a cell that has a mesh, of those at narrow gaps, or of all where there is
-  // none.
+  // The classes of the arcs at fault, else, of a cell that has a mesh, of those at narrow gaps, or of all where there
+  // is none.
   std::set<std::size_t> arcs_to_refine(std::size_t c, bool has_mesh, const Arc_intervals& intervals) const {
     const Cell& cell = cells_[c];
     std::vector<Arc_stack::Half_arc> halves;
@@ -215,38 +215,46 @@ class Hex_mesher {
   // Looks at the outlines of a cell's two caps.
   void bound_by_angles(std::size_t c, const Arc_intervals& intervals) {
     const Cell& cell = cells_[c];
-    const auto places = [&](std::size_t layer) {
-      std::vector<Vec3> points;
-      for (std::uint32_t n : outlines_[c][layer - cell.bottom]) points.push_back(mesh_.points[n]);
-      return points;
-    };
-    const auto look = [&](Patch_index cap, std::size_t layer, std::size_t next) {
-      const std::vector<Vec3> outline = places(layer), beyond = places(next);
-      std::vector<std::optional<Vec3>> on_walls(outline.size());
-      std::vector<std::size_t> loops;
-      std::size_t first = 0;
-      const std::size_t upper = std::max(layer, next);  // whose arcs know the walls between
-      for (const Cell::Loop& loop : cell.loops[cell.top - upper]) {
-        loops.push_back(length_of(loop, upper, intervals));
-        std::size_t at = 0;
-        for (Arc_stack::Half_arc h : loop) {
-          const std::size_t n = intervals(upper, h);
-          if (arcs_.arc(upper, h).wall[h % 2].is_valid())
-            for (std::size_t i = at; i <= at + n; ++i) {
-              const std::size_t node = first + i % loops.back();
-              on_walls[node] = beyond[node];
-            }
-          at += n;
-        }
-        first += loops.back();
+    bound_by_angles_of_cap(c, cell.target, cell.bottom, cell.bottom + 1, intervals);
+    bound_by_angles_of_cap(c, cell.source, cell.top, cell.top - 1, intervals);
+  }
+
+  void bound_by_angles_of_cap(std::size_t c, Patch_index cap, std::size_t layer, std::size_t next,
+                              const Arc_intervals& intervals) {
+    const Cell& cell = cells_[c];
+    std::vector<std::size_t> loops;
+    for (const Cell::Loop& loop : cell.loops[cell.top - layer]) loops.push_back(length_of(loop, layer, intervals));
+    const std::size_t upper = std::max(layer, next);  // whose arcs know the walls between
+    Angle_bound found =
+        tightest_angle(outline_on(c, layer), only_on_walls(cell, upper, outline_on(c, next), intervals), loops,
+                       Plane_chart(stack_.layers[layer].up), drop_to(cap), layer == cell.top);
+    found.patch_id = patch_id_[cap.value()];
+    if (found.scaled_jacobian < mesh_.tightest.scaled_jacobian) mesh_.tightest = found;
+  }
+
+  std::vector<Vec3> outline_on(std::size_t c, std::size_t layer) const {
+    std::vector<Vec3> points;
+    for (std::uint32_t n : outlines_[c][layer - cells_[c].bottom]) points.push_back(mesh_.points[n]);
+    return points;
+  }
+
+  // Of the points of an outline those at the walls below the arcs of a layer.
+  std::vector<std::optional<Vec3>> only_on_walls(const Cell& cell, std::size_t layer, const std::vector<Vec3>& points,
+                                                 const Arc_intervals& intervals) const {
+    std::vector<std::optional<Vec3>> result(points.size());
+    std::size_t first = 0;
+    for (const Cell::Loop& loop : cell.loops[cell.top - layer]) {
+      const std::size_t length = length_of(loop, layer, intervals);
+      std::size_t at = 0;
+      for (Arc_stack::Half_arc h : loop) {
+        const std::size_t end = at + intervals(layer, h);
+        for (std::size_t i = at; i <= end && arcs_.arc(layer, h).wall[h % 2].is_valid(); ++i)
+          result[first + i % length] = points[first + i % length];
+        at = end;
       }
-      const Plane_chart plane(stack_.layers[layer].up);
-      Angle_bound found = tightest_angle(outline, on_walls, loops, plane, drop_to(cap), layer == cell.top);
-      found.patch_id = patch_id_[cap.value()];
-      if (found.scaled_jacobian < mesh_.tightest.scaled_jacobian) mesh_.tightest = found;
-    };
-    look(cell.target, cell.bottom, cell.bottom + 1);
-    look(cell.source, cell.top, cell.top - 1);
+      first += length;
+    }
+    return result;
   }
 
   static std::size_t length_of(const Cell::Loop& loop, std::size_t layer, const Arc_intervals& intervals) {
@@ -280,8 +288,7 @@ class Hex_mesher {
     std::vector<std::vector<Vec3>> points;
     std::vector<double> heights;
     for (std::size_t k = 0; k < outlines.size(); ++k) {
-      points.emplace_back();
-      for (std::uint32_t n : outlines[k]) points.back().push_back(mesh_.points[n]);
+      points.push_back(outline_on(c, cell.bottom + k));
       heights.push_back(stack_.layers[cell.bottom + k].value);
     }
     const Drop to_target = drop_to(cell.target), to_source = drop_to(cell.source);

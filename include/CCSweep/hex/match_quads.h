@@ -80,11 +80,11 @@ class Doublet_remover {
 
 /// An unstructured mesh of a region: its triangles of the size wanted, matched two and two to quads, as many and as
 /// good ones as there can be (Remacle et al., Blossom-Quad, 2012).
-/// Triangles left over are split, and all are matched anew, a few times.
+/// Neighbours of triangles left over are split, and all are matched anew, a few times.
 /// \return nothing where a triangle is left over then, or the loops cross each other.
 /// Complexity: O(n log n), and O(n) for each pair that the best ones leave out.
 inline std::optional<Quad_mesh> match_quads(const Quad_region& region, double size) {
-  constexpr int tries = 4;
+  constexpr int tries = 6;
   internal::Cap_triangulation mesh(region, size, 1);
   if (!mesh.run() || mesh.triangles.size() % 2 != 0) return std::nullopt;
   std::vector<internal::Triangle_pair> pairs;
@@ -94,7 +94,7 @@ inline std::optional<Quad_mesh> match_quads(const Quad_region& region, double si
     pairs = internal::pairs_of_triangles(mesh, -0.9);
     chosen = internal::choose_pairs(pairs, mesh.triangles.size(), true);
     if (2 * chosen.size() == mesh.triangles.size()) break;
-    mesh.split(internal::left_over(pairs, chosen, mesh.triangles.size()));
+    mesh.split(internal::partners_of(internal::left_over(pairs, chosen, mesh.triangles.size()), pairs));
   }
   if (2 * chosen.size() != mesh.triangles.size()) return std::nullopt;
   Quad_mesh result;

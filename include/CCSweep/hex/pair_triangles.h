@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -186,6 +187,19 @@ inline std::vector<std::size_t> left_over(const std::vector<Triangle_pair>& pair
   for (std::size_t t = 0; t < triangles; ++t)
     if (!used[t]) left.push_back(t);
   return left;
+}
+
+/// Of each of some triangles the neighbour that it makes the best quad with, or itself if there is none. What is left
+/// over shares its few neighbours with others; where one of them is split in three, there are more.
+inline std::vector<std::size_t> partners_of(const std::vector<std::size_t>& triangles,
+                                            const std::vector<Triangle_pair>& pairs) {
+  std::set<std::size_t> partners;
+  for (std::size_t t : triangles) {
+    const auto best = std::find_if(pairs.begin(), pairs.end(),
+                                   [&](const Triangle_pair& pair) { return pair.first == t || pair.second == t; });
+    partners.insert(best == pairs.end() ? t : best->first == t ? best->second : best->first);
+  }
+  return {partners.begin(), partners.end()};
 }
 
 }  // namespace CCSweep::internal
