@@ -191,8 +191,8 @@ class Snap_need {
             double tolerance)
       : drawing_(drawing), steps_(steps), nodes_(nodes), tolerance_(tolerance) {}
 
-  // `near` are the pairs of segments within the tolerance, their chord errors and reaches, or more. Neighbours that run on are
-  // not as near as either is long.
+  // `near` are the pairs of segments within the tolerance, their chord errors and reaches, or more. Neighbours that run
+  // on are not as near as either is long.
   bool exists(const std::vector<Near_pair>& near) const {
     return std::any_of(near.begin(), near.end(), [this](const Near_pair& pair) {
       return tolerance_ == 0 ? have_equal_ends(steps_[pair.first], steps_[pair.second])
