@@ -12,6 +12,6 @@ class QuadMesher {
  public:
   /// Quads that cover a region, counter-clockwise. The nodes on the region's loops come first, in their order, and no
   /// others may lie on the loops; `size` is the edge length wanted inside. Nothing where the mesher can't mesh the
-  /// region.
+  /// region, which `CCSweep::Subdivided_quads` then does.
   std::optional<CCSweep::Quad_mesh> operator()(const CCSweep::Quad_region& region, double size) const;
 };

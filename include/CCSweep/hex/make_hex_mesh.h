@@ -295,11 +295,10 @@ class Hex_mesher {
     Quad_mesh quads;
     Cell_nodes nodes;
     double best = -2;
-    // The layer on which the cap's mesh is made matters where the cell widens or bends; smaller quads inside, where the
-    // edges of the outline are long beside its width.
-    for (double share = 1; best < acceptable && share >= finest_; share /= 2)
+    // The layer on which the cap's mesh is made matters where the cell widens or bends.
+    const auto mesh_with = [&](const auto& mesher, double length) {
       for (std::size_t k : {outlines.size() - 1, std::size_t(0), outlines.size() / 2}) {
-        auto made = mesh_quads_(region_of(c, cell.bottom + k, intervals, points[k]), share * size);
+        auto made = mesher(region_of(c, cell.bottom + k, intervals, points[k]), length);
         if (!made) continue;
         Cell_nodes swept = sweep_cell(*made, points, heights, to_target, to_source);
         const double quality = worst_quality(*made, swept);
@@ -309,6 +308,10 @@ class Hex_mesher {
         nodes = std::move(swept);
         if (best >= good) break;
       }
+    };
+    // Smaller quads inside, where the edges of the outline are long beside its width.
+    for (double share = 1; best < acceptable && share >= finest_; share /= 2) mesh_with(mesh_quads_, share * size);
+    if (best == -2) mesh_with(Subdivided_quads(), size);  // whatever the policy can't do
     if (best > -2) add_cell(c, intervals, outlines, quads, nodes);
   }
 
@@ -402,7 +405,7 @@ inline void certify(const Hex_mesh& mesh) {
 /// \param drop_to_cap as in `make_arc_stack()`
 /// \param sizing the edge lengths wanted
 /// \param solver what chooses the numbers of intervals
-/// \param mesh_quads what meshes a section of a cell
+/// \param mesh_quads what meshes a section of a cell; where it can not, triangles are subdivided
 /// \return the mesh; throws `internal::Failure` where a hexahedron would not be positive.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each cell.
 template <class CapDrop, SizingField Sizing, IntervalSolver Solver = Parity_intervals, QuadMesher Quads = Best_quads>
