@@ -216,9 +216,14 @@ class Cap_triangulation {
     for (const Point2& p : found) insert(p);
   }
 
+  // Leaves out what falls on the outline, which keeps its nodes.
   void insert(const Point2& p) {
     const std::size_t before = mesh_.number_of_vertices();
-    const Handle v = mesh_.insert(point(p), hint_);
+    Cdt::Locate_type type;
+    int i;
+    const auto f = mesh_.locate(point(p), type, i, hint_);
+    if (type == Cdt::EDGE && mesh_.is_constrained({f, i})) return;
+    const Handle v = mesh_.insert(point(p), type, f, i);
     if (mesh_.number_of_vertices() == before) return;
     hint_ = v->face();
     v->info() = static_cast<std::uint32_t>(points.size());
