@@ -43,6 +43,7 @@ template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 class Decomposer {
   using Point_3 = typename Traits::Point_3;
   using Result_type = Decomposition<Point_3>;
+
  public:
   Decomposer(const Part<Traits>& part, const Options& options, Visitor& visitor, Stage_runner<Visitor>& run)
       : part_(part), options_(options), visitor_(visitor), run_(run) {}

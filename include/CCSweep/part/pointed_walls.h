@@ -6,6 +6,8 @@
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 
+#include <cstddef>
+
 namespace CCSweep::internal {
 
 /// Finds linking faces that narrow to a point along a straight sweep, as the side of a gusset does where its slope runs
@@ -19,10 +21,10 @@ class Pointed_wall_search {
   Pointed_wall_search(const Part_type& part, const Roles& roles) : part_(part), roles_(roles) {}
 
   bool run() const {
-    for (auto e : part_.mesh.edges()) {
-      if (!part_.feature[e]) continue;
-      const Halfedge h = part_.mesh.halfedge(e);
-      if (ends_in_point(h) || ends_in_point(part_.mesh.opposite(h))) return true;
+    for (std::size_t p = 0; p < part_.number_of_patches(); ++p) {
+      if (roles_.of_patch[p] != Role::linking) continue;
+      for (Halfedge h : part_.border[p])
+        if (ends_in_point(h)) return true;
     }
     return false;
   }
