@@ -146,16 +146,39 @@ class Hex_pipeline {
       fail(Status_code::invalid_parameter, Stage::hex_mesh, "at this size there would be too many hexahedra");
   }
 
+  // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
   Hex_mesh mesh(const Roles& roles) {
+    constexpr std::array<Refinement, 6> refinements{
+        {{}, {.through_vertices = true}, {.times_slabs = 2}, {.times_slabs = 4}, {.reach = 10}, {.reach = 50}}};
+    std::optional<Status> failure;
+    for (const Refinement& refinement : refinements) {
+      Result<Hex_mesh> attempt = guarded([&] { return mesh(roles, refinement); });
+      if (attempt) return std::move(attempt).value();
+      if (!failure || attempt.status().code == Status_code::cancelled) failure = attempt.status();
+      if (!is_of_layers(failure->code)) throw Failure{*failure};
+    }
+    if (failure->stage == Stage::hex_mesh) failure->code = Status_code::hex_mesh_failed;
+    throw Failure{*failure};
+  }
+
+  static bool is_of_layers(Status_code code) {
+    return code == Status_code::projection_folded || code == Status_code::imprint_failed ||
+           code == Status_code::inconsistent_levels;
+  }
+
+  Hex_mesh mesh(const Roles& roles, const Refinement& refinement) {
     Layering_options layers = options_.layering;
     layers.spacing = size_;
+    layers.through_vertices = refinement.through_vertices;
+    layers.slabs *= refinement.times_slabs;
     const double tolerance = options_.tolerance * part_.diagonal;
     const Layering layering = run_(Stage::layers, [&] { return make_layering(part_, roles, layers); });
     const Wall_sections sections =
         run_(Stage::linking_mesh, [&] { return make_wall_sections(part_, roles, layering); });
     const Layered_loops<Traits> loops = run_(Stage::loop_faces, [&] {
       return sweep_layers<Traits, SegmentIndex, PointIndex>(part_, roles, layering, sections, tolerance,
-                                                            options_.neighbours, visitor_);
+                                                            options_.neighbours, visitor_,
+                                                            refinement.reach * tolerance);
     });
     return run_(Stage::hex_mesh, [&] {
       return guarded([&] {
