@@ -57,6 +57,16 @@ BOOST_AUTO_TEST_CASE(arcs_that_cross_at_a_small_angle) {
       expect_sound(hex_checks::mesh(m, {}, 34. / parts), hex_checks::volume_within(part), 0.03);
 }
 
+// A stepped cavity over a ledge: at one of these sizes the layers that it asks for lose an outline, though the part
+// can be decomposed.
+BOOST_AUTO_TEST_CASE(layers_that_lose_an_outline) {
+  const Mesh part = load("cavity_beside_ledge");
+  const std::array<double, 3> up{0.5387347350777414, 0.5060131487456709, 0.6735841287598805};
+  for (int parts : {10, 20})
+    BOOST_TEST_CONTEXT("at extent/" << parts)
+    expect_sound(hex_checks::mesh(part, up, 20. / parts), hex_checks::volume_within(part), 0.03);
+}
+
 BOOST_AUTO_TEST_CASE(grids) { expect_family_meshed(random_parts::Family::grids); }
 BOOST_AUTO_TEST_CASE(barrels) { expect_family_meshed(random_parts::Family::barrels); }
 BOOST_AUTO_TEST_CASE(polygons) { expect_family_meshed(random_parts::Family::polygons); }
