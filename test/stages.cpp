@@ -695,7 +695,7 @@ BOOST_AUTO_TEST_CASE(curves_that_cross_in_a_plane_are_told_with_their_place) {
   using Triangulation = internal::Region_triangulation<Kernel>;
   std::uint32_t fault = 0;
   BOOST_TEST(Triangulation::run(region, &fault)->size() == 6u);
-  region.points.insert({{7, {1, 3}}, {8, {3, 1}}});
+  region.points.insert(region.points.end(), {{7, {1, 3}}, {8, {3, 1}}});
   region.curves.push_back({7, 8});
   BOOST_TEST(!Triangulation::run(region, &fault));
   BOOST_TEST(fault == 7u);

@@ -64,7 +64,7 @@ std::vector<Triangle> triangulated_face(const std::vector<std::uint32_t>& corner
   Planar_region<Traits> region;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point& p = points[corners[i]];
-    region.points.emplace(corners[i], typename Traits::Point_2(p[x], p[y]));
+    region.points.emplace_back(corners[i], typename Traits::Point_2(p[x], p[y]));
     region.boundary.push_back({corners[i], corners[(i + 1) % corners.size()]});
   }
   const auto triangles = Region_triangulation<Traits>::run(region);

@@ -22,6 +22,7 @@ class Union_find {
   }
 
   void join(std::size_t i, std::size_t j) {
+    if (parent_[i] == parent_[j]) return;
     i = root(i);
     j = root(j);
     parent_[std::max(i, j)] = static_cast<std::uint32_t>(std::min(i, j));

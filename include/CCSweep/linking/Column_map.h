@@ -157,7 +157,7 @@ class Column_map {
 
   static Loop_place locate(const Coordinates& c, double v) {
     const std::size_t n = c.of_node.size();
-    auto node = [&](std::size_t k) { return (c.start + k) % n; };
+    auto node = [&](std::size_t k) { return c.start + k < n ? c.start + k : c.start + k - n; };
     if (v < c[c.start]) v += c.period;  // before the first node: on the piece that closes the loop
     if (v >= c[c.start] + c.period) v -= c.period;
     std::size_t low = 0, high = n;      // the last node whose v is not larger

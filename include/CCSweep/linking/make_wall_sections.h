@@ -4,6 +4,8 @@
 #define CCSWEEP_LINKING_MAKE_WALL_SECTIONS_H
 
 #include <CCSweep/Status.h>
+#include <CCSweep/internal/Key_map.h>
+#include <CCSweep/internal/Union_find.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/Layering.h>
 #include <CCSweep/linking/Wall_sections.h>
@@ -12,9 +14,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CCSweep {
@@ -30,9 +32,11 @@ class Wall_tracer {
  public:
   Wall_tracer(const Part_type& part, const Roles& roles, const Layering& layering)
       : part_(part), roles_(roles), layering_(layering), bottom_of_(part.mesh.number_of_faces(), none),
-        is_done_(part.mesh.number_of_faces(), false) {
+        is_done_(part.mesh.number_of_faces(), false), pieces_(part.mesh.number_of_vertices()),
+        loop_at_(part.mesh.number_of_vertices(), none) {
     distribute_faces();
     find_sharp_edges();
+    join_vertices();
   }
 
   Wall_sections run() {
@@ -41,11 +45,11 @@ class Wall_tracer {
     sections.arriving.resize(n);
     sections.leaving.resize(n);
     sections.strips.resize(n);
-    std::vector<Face> first_of_leaving, first_of_arriving;
+    std::vector<std::vector<Face>> faces_of_leaving, faces_of_arriving;
     for (std::size_t k = 0; k + 1 < n; ++k) {
-      sections.leaving[k] = trace_loops(leaving_[k], k, +1, first_of_leaving);
-      sections.arriving[k + 1] = trace_loops(arriving_[k + 1], k + 1, -1, first_of_arriving);
-      sections.strips[k] = pair_loops(k, first_of_leaving, first_of_arriving);
+      sections.leaving[k] = trace_loops(leaving_[k], k, +1, faces_of_leaving);
+      sections.arriving[k + 1] = trace_loops(arriving_[k + 1], k + 1, -1, faces_of_arriving);
+      sections.strips[k] = pair_loops(k, faces_of_leaving, faces_of_arriving);
       for (Wall_strip& strip : sections.strips[k])
         find_rails(sections.leaving[k][strip.bottom], sections.arriving[k + 1][strip.top], k, strip);
     }
@@ -142,23 +146,23 @@ class Wall_tracer {
   }
 
   std::vector<Wall_loop> trace_loops(const std::vector<Face>& starts, std::size_t layer, int side,
-                                     std::vector<Face>& first) {
+                                     std::vector<std::vector<Face>>& faces) {
     const double value = layering_.layers[layer];
     std::vector<Wall_loop> loops;
-    std::vector<Face> done;
-    first.clear();
+    faces.clear();
     for (Face start : starts) {
       if (is_done_[start]) continue;
       const auto piece = row_piece(start, value, side);
       if (!piece || piece->is_point) continue;
-      first.push_back(start);
-      loops.push_back(trace_loop(start, value, side, done));
+      loops.push_back(trace_loop(start, value, side, faces.emplace_back()));
     }
-    for (Face f : done) is_done_[f] = false;
+    for (const auto& passed : faces)
+      for (Face f : passed) is_done_[f] = false;
     return loops;
   }
 
-  Wall_loop trace_loop(Face start, double value, int side, std::vector<Face>& done) {
+  // The loop, and all faces that it passes, also those that it meets in a vertex only.
+  Wall_loop trace_loop(Face start, double value, int side, std::vector<Face>& passed) {
     Wall_loop loop;
     Face f = start;
     do {
@@ -172,46 +176,78 @@ class Wall_tracer {
         loop.nodes.push_back(piece->from);
         loop.carriers.push_back(piece->carrier);
         is_done_[f] = true;
-        done.push_back(f);
       }
+      passed.push_back(f);
       f = part_.mesh.face(part_.mesh.opposite(piece->way_out));
     } while (f != start);
     return loop;
   }
 
-  // Two loops belong together when the linking faces join them between the two layers.
-  std::vector<Wall_strip> pair_loops(std::size_t slab, const std::vector<Face>& bottoms,
-                                     const std::vector<Face>& tops) {
-    const double low = layering_.layers[slab], high = layering_.layers[slab + 1];
-    std::vector<Face> reached;
-    const auto reach = [&](Face f, std::size_t bottom) {
-      bottom_of_[f] = static_cast<std::uint32_t>(bottom);
-      reached.push_back(f);
+  // Vertices between the same two layers that edges join lie on one piece of the surface between these.
+  void join_vertices() {
+    const auto& layers = layering_.layers;
+    const auto& mesh = part_.mesh;
+    slab_of_.reserve(mesh.number_of_vertices());
+    for (Vertex v : mesh.vertices()) {
+      const auto above = std::lower_bound(layers.begin(), layers.end(), parameter(v));
+      const bool is_between = above != layers.begin() && above != layers.end() && *above != parameter(v);
+      slab_of_.push_back(is_between ? static_cast<std::uint32_t>(above - layers.begin() - 1) : none);
+    }
+    for (auto e : mesh.edges()) {
+      const Halfedge h = mesh.halfedge(e);
+      const Vertex v = mesh.source(h), w = mesh.target(h);
+      if (slab_of_[v] != none && slab_of_[v] == slab_of_[w]) pieces_.join(v, w);
+    }
+  }
+
+  // Two loops belong together when the linking faces join them between the two layers: over the vertices between, or
+  // in a face that reaches from one to the other.
+  std::vector<Wall_strip> pair_loops(std::size_t slab, const std::vector<std::vector<Face>>& bottoms,
+                                     const std::vector<std::vector<Face>>& tops) {
+    Union_find loops(bottoms.size() + tops.size());
+    std::vector<std::size_t> met;
+    const auto join_over_vertices = [&](const std::vector<Face>& faces, std::size_t loop) {
+      for (Face f : faces)
+        for (Vertex v : part_.mesh.vertices_around_face(part_.mesh.halfedge(f))) {
+          if (slab_of_[v] != slab) continue;
+          const std::size_t piece = pieces_.root(v);
+          if (loop_at_[piece] == none) {
+            loop_at_[piece] = static_cast<std::uint32_t>(loop);
+            met.push_back(piece);
+          }
+          loops.join(loop, loop_at_[piece]);
+        }
     };
     for (std::size_t i = 0; i < bottoms.size(); ++i) {
-      std::size_t next = reached.size();
-      if (bottom_of_[bottoms[i]] != none) report_unpaired(slab, bottoms[i]);
-      reach(bottoms[i], i);
-      for (; next < reached.size(); ++next) {
-        for (Halfedge h : part_.mesh.halfedges_around_face(part_.mesh.halfedge(reached[next]))) {
-          const Face across = part_.mesh.face(part_.mesh.opposite(h));
-          if (bottom_of_[across] != none) continue;
-          const double a = parameter(part_.mesh.source(h)), b = parameter(part_.mesh.target(h));
-          if (std::max(a, b) > low && std::min(a, b) < high) reach(across, i);
-        }
-      }
+      join_over_vertices(bottoms[i], i);
+      for (Face f : bottoms[i]) bottom_of_[f] = static_cast<std::uint32_t>(i);
     }
+    for (std::size_t j = 0; j < tops.size(); ++j) {
+      join_over_vertices(tops[j], bottoms.size() + j);
+      for (Face f : tops[j])
+        if (bottom_of_[f] != none) loops.join(bottoms.size() + j, bottom_of_[f]);
+    }
+    for (std::size_t piece : met) loop_at_[piece] = none;
+    for (const auto& faces : bottoms)
+      for (Face f : faces) bottom_of_[f] = none;
+    return strips_of(slab, bottoms, tops, loops);
+  }
+
+  // One loop below and one above each; the lowest number stands for those that are joined.
+  std::vector<Wall_strip> strips_of(std::size_t slab, const std::vector<std::vector<Face>>& bottoms,
+                                    const std::vector<std::vector<Face>>& tops, Union_find& loops) const {
     std::vector<Wall_strip> strips(bottoms.size());
     std::vector<bool> paired(bottoms.size(), false);
+    for (std::size_t i = 0; i < bottoms.size(); ++i)
+      if (loops.root(i) != i) report_unpaired(slab, bottoms[i].front());
     for (std::size_t j = 0; j < tops.size(); ++j) {
-      const std::uint32_t bottom = bottom_of_[tops[j]];
-      if (bottom == none || paired[bottom]) report_unpaired(slab, tops[j]);
+      const std::size_t bottom = loops.root(bottoms.size() + j);
+      if (bottom >= bottoms.size() || paired[bottom]) report_unpaired(slab, tops[j].front());
       paired[bottom] = true;
       strips[bottom] = {bottom, j, {}};
     }
-    for (Face f : reached) bottom_of_[f] = none;
     for (std::size_t i = 0; i < bottoms.size(); ++i)
-      if (!paired[i]) report_unpaired(slab, bottoms[i]);
+      if (!paired[i]) report_unpaired(slab, bottoms[i].front());
     return strips;
   }
 
@@ -224,14 +260,15 @@ class Wall_tracer {
   }
 
   void find_rails(const Wall_loop& bottom, const Wall_loop& top, std::size_t slab, Wall_strip& strip) const {
-    std::map<std::pair<int, std::uint32_t>, std::size_t> position;
-    auto key = [](const Surface_location& p) { return std::pair(int(p.kind), p.index); };
-    for (std::size_t i = 0; i < top.size(); ++i) position.emplace(key(top.nodes[i]), i);
+    constexpr std::size_t nowhere = std::size_t(-1);
+    Key_map<std::size_t> position(nowhere);
+    for (std::size_t i = 0; i < top.size(); ++i)
+      if (std::size_t& at = position[top.nodes[i].key()]; at == nowhere) at = i;
     for (std::size_t i = 0; i < bottom.size(); ++i) {
       const auto end = climb(bottom.nodes[i], layering_.layers[slab + 1]);
       if (!end) continue;
-      const auto found = position.find(key(*end));
-      if (found != position.end()) strip.rails.push_back({i, found->second});
+      const std::size_t found = std::as_const(position)[end->key()];
+      if (found != nowhere) strip.rails.push_back({i, found});
     }
     // Rails that change their order about the ring are no columns.
     std::size_t turns = 0;
@@ -286,8 +323,11 @@ class Wall_tracer {
   const Layering& layering_;
   std::vector<std::vector<Face>> leaving_, arriving_;  // by layer
   std::vector<bool> sharp_;
-  std::vector<std::uint32_t> bottom_of_;  // per face: the loop at the bottom of the slab that it is reached from
+  std::vector<std::uint32_t> bottom_of_;  // per face: the loop at the bottom of the slab at hand that passes it
   std::vector<bool> is_done_;             // per face, for the layer at hand
+  std::vector<std::uint32_t> slab_of_;    // per vertex: the layer below it; none where it lies on a layer
+  Union_find pieces_;                     // of the vertices between two layers
+  std::vector<std::uint32_t> loop_at_;    // per piece: a loop that meets it, in the slab at hand
 };
 
 }  // namespace internal

@@ -3,6 +3,7 @@
 #ifndef CCSWEEP_LOOPS_DRAWN_LAYER_H
 #define CCSWEEP_LOOPS_DRAWN_LAYER_H
 
+#include <CCSweep/internal/Key_map.h>
 #include <CCSweep/linking/Wall_sections.h>
 #include <CCSweep/loops/Layer_chart.h>
 #include <CCSweep/Layer_drawing.h>
@@ -33,24 +34,29 @@ class Drawn_layer {
   };
 
   Drawn_layer(const Part<Traits>& part, const Layer_chart<Traits>& chart, Layered_loops<Traits>& loops)
-      : part_(part), chart_(chart), loops_(loops) {}
+      : part_(part), chart_(chart), loops_(loops), first_node_(loops.nodes.size()) {}
 
   const Layer_drawing<Traits>& drawing() const { return drawing_; }
   const std::vector<Node_index>& nodes() const { return node_of_local_; }
   const Origin& origin(std::size_t segment) const { return origins_[segment]; }
 
+  /// The node of the drawing that a node of this layer was drawn as; invalid where it was not.
+  Node_index drawn_node(Node_index n) const {
+    const std::size_t i = n.value() - first_node_;
+    return i < local_of_node_.size() ? local_of_node_[i] : Node_index();
+  }
+
   /// The node at a vertex, or at the crossing of an edge, on this layer; made at the first call.
   Node_index node_at(const Surface_location& where) {
-    auto [found, is_new] = node_at_.try_emplace(key(where), Node_index());
-    if (is_new) {
+    Node_index& node = node_at_[where.key()];
+    if (!node.is_valid()) {
       const bool is_vertex = where.kind == Surface_location::Kind::vertex;
       using Vertex = typename Part<Traits>::Vertex;
       using Edge = typename Part<Traits>::Edge;
-      found->second = add_node(is_vertex ? part_.point(Vertex(where.index))
-                                         : point_on_edge(part_, Edge(where.index), where.t),
-                               where, is_vertex && part_.corner[where.index]);
+      node = add_node(is_vertex ? part_.point(Vertex(where.index)) : point_on_edge(part_, Edge(where.index), where.t),
+                      where, is_vertex && part_.corner[where.index]);
     }
-    return found->second;
+    return node;
   }
 
   Node_index add_node(const typename Traits::Point_3& point, const Surface_location& where, bool loop_vertex) {
@@ -79,10 +85,11 @@ class Drawn_layer {
   /// Draws a fixed chain of nodes along a carrier, where it may have been drawn before.
   void draw_along(const Carrier& carrier, const std::vector<Node_index>& chain, const Loop_label& left,
                   const Loop_label& right) {
-    const bool is_first = !drawn_.count(key(carrier));
+    Run& run = drawn_[key(carrier)];
+    const bool is_first = run.first == none;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       const std::size_t s = draw_fixed(carrier, chain[i], chain[i + 1], left, right);
-      if (is_first) drawn_[key(carrier)].push_back(s);
+      if (is_first) append(run, s);
     }
   }
 
@@ -90,7 +97,7 @@ class Drawn_layer {
   std::size_t draw_row_piece(const Carrier& carrier, Node_index a, Node_index b, const Loop_label& left,
                              const Loop_label& right) {
     const std::size_t s = draw_fixed(carrier, a, b, left, right);
-    drawn_[key(carrier)].push_back(s);
+    append(drawn_[key(carrier)], s);
     return s;
   }
 
@@ -101,15 +108,28 @@ class Drawn_layer {
     origins_.push_back({Carrier(), cut});
   }
 
-  /// The segments that were first drawn along a carrier, in that sense; empty where none were.
-  std::vector<std::size_t> segments_along(const Carrier& carrier) const {
-    auto found = drawn_.find(key(carrier));
-    return found == drawn_.end() ? std::vector<std::size_t>() : found->second;
+  /// Calls a function with the segments that were first drawn along a carrier, in that sense.
+  template <class Function>
+  void for_each_along(const Carrier& carrier, const Function& function) const {
+    for (std::size_t s = drawn_[key(carrier)].first; s != none; s = next_along_[s]) function(s);
   }
 
   Vec3 coordinates(Node_index n) const { return Part<Traits>::coordinates(loops_.node(n).point); }
 
  private:
+  static constexpr std::size_t none = std::size_t(-1);
+
+  // A list of segments, each of which knows the next.
+  struct Run {
+    std::size_t first = none, last = none;
+  };
+
+  void append(Run& run, std::size_t segment) {
+    next_along_.resize(segment + 1, none);
+    (run.first == none ? run.first : next_along_[run.last]) = segment;
+    run.last = segment;
+  }
+
   std::size_t draw_fixed(const Carrier& carrier, Node_index a, Node_index b, const Loop_label& left,
                          const Loop_label& right) {
     const double chord_error = carrier.is_edge ? part_.chord_error[carrier.index] : 0;
@@ -119,32 +139,33 @@ class Drawn_layer {
   }
 
   static std::uint64_t key(const Carrier& c) { return 2 * std::uint64_t(c.index) + c.is_edge; }
-  static std::uint64_t key(const Surface_location& where) {
-    return 4 * std::uint64_t(where.index) + std::uint64_t(where.kind);
-  }
 
   Node_index local(Node_index n) {
-    auto [found, is_new] = local_of_node_.try_emplace(n, Node_index(node_of_local_.size()));
-    if (is_new) {
+    if (n.value() - first_node_ >= local_of_node_.size()) local_of_node_.resize(loops_.nodes.size() - first_node_);
+    Node_index& local = local_of_node_[n.value() - first_node_];
+    if (!local.is_valid()) {
+      local = Node_index(node_of_local_.size());
       const auto& node = loops_.node(n);
       node_of_local_.push_back(n);
       const bool is_on_surface = node.where.on_surface();
       drawing_.nodes.push_back(
           {chart_(node.point), is_on_surface, node.loop_vertex, is_on_surface ? 0 : loops_.reach});
     }
-    return found->second;
+    return local;
   }
 
   const Part<Traits>& part_;
   const Layer_chart<Traits>& chart_;
   Layered_loops<Traits>& loops_;
+  std::size_t first_node_;  // all nodes of the layer come after it
   Layer_drawing<Traits> drawing_;
   std::vector<Origin> origins_;
   std::vector<Node_index> node_of_local_;
-  std::unordered_map<Node_index, Node_index> local_of_node_;
-  std::unordered_map<std::uint64_t, Node_index> node_at_;                  // by the place's key
+  std::vector<Node_index> local_of_node_;                                  // from `first_node_` on
+  Key_map<Node_index> node_at_;                                            // by the place's key
   std::unordered_map<std::uint64_t, std::vector<Node_index>> inserted_;    // by the carrier's key
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> drawn_;      // by the carrier's key
+  Key_map<Run> drawn_;                                                     // by the carrier's key
+  std::vector<std::size_t> next_along_;                                    // by segment, in the run of its carrier
 };
 
 }  // namespace CCSweep::internal

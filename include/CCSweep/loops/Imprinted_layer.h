@@ -3,6 +3,7 @@
 #ifndef CCSWEEP_LOOPS_IMPRINTED_LAYER_H
 #define CCSWEEP_LOOPS_IMPRINTED_LAYER_H
 
+#include <CCSweep/internal/Key_map.h>
 #include <CCSweep/internal/Union_find.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/Wall_sections.h>
@@ -14,11 +15,11 @@
 #include <CCSweep/part/drop_to_patch.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <ranges>
 #include <set>
+#include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,14 @@ struct Leaving_loop {
   std::vector<Patch_index> targets;          ///< by piece: the target below the material on its left
   std::vector<std::size_t> barrels;          ///< by piece
   std::vector<std::size_t> position;         ///< where node i of the linking mesh's loop stands in `nodes`
+
+  void reserve(std::size_t size) {
+    nodes.reserve(size);
+    carriers.reserve(size);
+    targets.reserve(size);
+    barrels.reserve(size);
+    position.reserve(size);
+  }
 };
 
 /// A layer after its imprint, in the nodes of the whole sweep.
@@ -55,14 +64,14 @@ class Imprinted_layer {
   const std::vector<Segment>& segments() const { return segments_; }
 
   /// The nodes that a segment of the drawing passes through after the imprint.
-  std::vector<Node_index> chain(std::size_t drawn_segment) const {
-    std::vector<Node_index> nodes;
-    for (Node_index n : imprint_.chains[drawn_segment]) nodes.push_back(node_of_[n.value()]);
-    return nodes;
+  auto chain(std::size_t drawn_segment) const {
+    return std::views::transform(imprint_.chains[drawn_segment], [this](Node_index n) { return node_of_[n.value()]; });
   }
 
   /// The node that a node of the drawing was merged into.
-  Node_index final_node(Node_index drawn_node) const { return final_.at(drawn_node); }
+  Node_index final_node(Node_index node) const {
+    return node_of_[imprint_.representative.at(drawn_.drawn_node(node).value()).value()];
+  }
 
   /// Material above on both sides, from different targets: a cut goes up from here.
   bool is_cut(std::size_t segment) const {
@@ -89,11 +98,13 @@ class Imprinted_layer {
   std::vector<Leaving_loop> leaving_loops(const std::vector<Wall_loop>& rows, Drawn_layer<Traits>& drawn,
                                           double value) const {
     std::vector<Leaving_loop> result;
+    std::vector<Node_index> nodes;
     for (const Wall_loop& row : rows) {
       Leaving_loop loop;
+      loop.reserve(row.size());
       for (std::size_t i = 0; i < row.size(); ++i) {
         loop.position.push_back(loop.nodes.size());
-        add_pieces(row.carriers[i], drawn.node_at(row.nodes[i]), value, loop);
+        add_pieces(row.carriers[i], drawn.node_at(row.nodes[i]), value, nodes, loop);
       }
       result.push_back(std::move(loop));
     }
@@ -109,7 +120,6 @@ class Imprinted_layer {
       if (imprint_.representative[i] == Node_index(i)) node_of_[i] = local[i];
     for (std::size_t i = 0; i < local.size(); ++i) {
       const Node_index to = node_of_[imprint_.representative[i].value()];
-      final_[local[i]] = to;
       auto& kept = loops_.nodes[to.value()];
       kept.loop_vertex = kept.loop_vertex || loops_.node(local[i]).loop_vertex;
     }
@@ -171,9 +181,10 @@ class Imprinted_layer {
 
   void make_segments() {
     std::vector<int> degree(node_of_.size(), 0);
+    segments_.reserve(pieces_.size());
     for (const auto& piece : pieces_) {
       const Node_index a = node_of_[piece.source.value()], b = node_of_[piece.target.value()];
-      segment_between_[std::minmax(a, b)] = segments_.size();
+      segment_between_[pair_key(a, b)] = segments_.size();
       segments_.push_back({a, b, side(piece.left), side(piece.right)});
       ++degree[piece.source.value()];
       ++degree[piece.target.value()];
@@ -203,6 +214,7 @@ class Imprinted_layer {
   // LoopFaces that go on upwards and touch along an edge move as one body: a barrel.
   void find_barrels() {
     Union_find faces(imprint_.graph.number_of_loop_faces());
+    barrel_.reserve(segments_.size());
     for (std::size_t s = 0; s < segments_.size(); ++s) {
       const auto& piece = pieces_[s];
       if (!segments_[s].left.material_above() || !segments_[s].right.material_above()) continue;
@@ -221,30 +233,36 @@ class Imprinted_layer {
     const auto& segments = drawn_.drawing().segments;
     for (std::size_t s = 0; s < segments.size(); ++s) {
       if (segments[s].chord_error == 0) continue;
-      const std::vector<Node_index> nodes = chain(s);
+      const auto nodes = chain(s);
       for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-        if (auto found = segment_between_.find(std::minmax(nodes[i], nodes[i + 1])); found != segment_between_.end())
-          chord_error_[found->second] = std::max(chord_error_[found->second], segments[s].chord_error);
+        if (const std::size_t found = segment_between(nodes[i], nodes[i + 1]); found != no_segment)
+          chord_error_[found] = std::max(chord_error_[found], segments[s].chord_error);
     }
   }
 
-  void add_pieces(const Carrier& carrier, Node_index from, double value, Leaving_loop& loop) const {
-    std::vector<Node_index> nodes;
-    for (std::size_t s : drawn_.segments_along(carrier))
+  static constexpr std::size_t no_segment = std::size_t(-1);
+  std::size_t segment_between(Node_index a, Node_index b) const { return segment_between_[pair_key(a, b)]; }
+
+  // `nodes` is room for the nodes along the carrier.
+  void add_pieces(const Carrier& carrier, Node_index from, double value, std::vector<Node_index>& nodes,
+                  Leaving_loop& loop) const {
+    nodes.clear();
+    drawn_.for_each_along(carrier, [&](std::size_t s) {
       for (Node_index n : chain(s))
         if (nodes.empty() || nodes.back() != n) nodes.push_back(n);
+    });
     if (nodes.empty()) report_loose_wall(carrier, from, value);
-    if (nodes.front() != final_.at(from)) std::reverse(nodes.begin(), nodes.end());
+    if (nodes.front() != final_node(from)) std::reverse(nodes.begin(), nodes.end());
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      const auto found = segment_between_.find(std::minmax(nodes[i], nodes[i + 1]));
-      if (found == segment_between_.end()) report_loose_wall(carrier, nodes[i], value);
-      const Segment& s = segments_[found->second];
+      const std::size_t found = segment_between(nodes[i], nodes[i + 1]);
+      if (found == no_segment) report_loose_wall(carrier, nodes[i], value);
+      const Segment& s = segments_[found];
       const Side &inside = s.a == nodes[i] ? s.left : s.right, &outside = s.a == nodes[i] ? s.right : s.left;
       if (!inside.material_above() || outside.material_above()) report_loose_wall(carrier, nodes[i], value);
       loop.nodes.push_back(nodes[i]);
       loop.carriers.push_back(carrier);
       loop.targets.push_back(inside.target);
-      loop.barrels.push_back(barrel_[found->second]);
+      loop.barrels.push_back(barrel_[found]);
     }
   }
 
@@ -273,9 +291,8 @@ class Imprinted_layer {
   const std::vector<typename Imprint<Traits>::Segment> pieces_;
   Loops& loops_;
   std::vector<Node_index> node_of_;           // of the sweep, by node of the imprint
-  std::unordered_map<Node_index, Node_index> final_;    // by node of the drawing
   std::vector<Segment> segments_;
-  std::map<std::pair<Node_index, Node_index>, std::size_t> segment_between_;
+  Key_map<std::size_t> segment_between_{no_segment};  // by the key of its ends
   std::vector<std::size_t> barrel_;
   std::vector<double> chord_error_;
 };

@@ -4,6 +4,7 @@
 #define CCSWEEP_LOOPS_SWEEP_LAYERS_H
 
 #include <CCSweep/Status.h>
+#include <CCSweep/internal/Key_map.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/Layering.h>
 #include <CCSweep/linking/Wall_sections.h>
@@ -192,8 +193,9 @@ class Layer_sweeper {
     cuts.resize(transport_->cuts().size());
     for (std::size_t s = 0; s < drawn.drawing().segments.size(); ++s) {
       const std::size_t cut = drawn.origin(s).cut;
-      if (cut != Drawn_layer<Traits>::no_cut)
-        cuts[cut] = {transport_->cuts()[cut].segment, imprinted.chain(s), transport_->projected(cut)};
+      if (cut == Drawn_layer<Traits>::no_cut) continue;
+      const auto chain = imprinted.chain(s);
+      cuts[cut] = {transport_->cuts()[cut].segment, {chain.begin(), chain.end()}, transport_->projected(cut)};
     }
     auto& columns = loops_.wall_columns[layer.value() - 1];
     for (const auto& column : transport_->wall_columns())
@@ -212,19 +214,21 @@ class Layer_sweeper {
     ring.barrel = bottom.barrels.front();
     for (const auto& carrier : bottom.carriers)
       ring.patch.push_back(linking_patch_above(carrier, layering_.layers[above.value() - 1]));
-    std::map<Node_index, std::size_t> position;
+    constexpr std::size_t nowhere = std::size_t(-1);
+    Key_map<std::size_t> position(nowhere);
     for (std::size_t s : arriving_[strip.top].segments)
       for (Node_index n : imprinted.chain(s))
         if (ring.top.empty() || ring.top.back() != n) {
-          position.emplace(n, ring.top.size());
+          if (std::size_t& at = position[n.value()]; at == nowhere) at = ring.top.size();
           ring.top.push_back(n);
         }
     if (ring.top.size() > 1 && ring.top.front() == ring.top.back()) ring.top.pop_back();
     const auto& row = sections_.arriving[above.value()][strip.top];
-    for (const auto& rail : strip.rails)
-      if (auto found = position.find(imprinted.final_node(drawn.node_at(row.nodes[rail.top])));
-          found != position.end())
-        ring.rails.push_back({bottom.position[rail.bottom], found->second});
+    for (const auto& rail : strip.rails) {
+      const Node_index node = imprinted.final_node(drawn.node_at(row.nodes[rail.top]));
+      if (const std::size_t top = std::as_const(position)[node.value()]; top != nowhere)
+        ring.rails.push_back({bottom.position[rail.bottom], top});
+    }
     return ring;
   }
 

@@ -25,6 +25,8 @@ struct Surface_location {
 
   bool on_surface() const { return kind != Kind::interior; }
   bool on_edge(std::uint32_t e) const { return kind == Kind::edge && index == e; }
+  /// A number for the vertex, edge or face.
+  std::uint64_t key() const { return 4 * std::uint64_t(index) + std::uint64_t(kind); }
   bool same_place(const Surface_location& other) const {
     return on_surface() && kind != Kind::face && kind == other.kind && index == other.index;
   }

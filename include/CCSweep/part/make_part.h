@@ -43,8 +43,9 @@ void measure(Part<Traits>& part) {
     const Vec3 a = part.coordinates(mesh.source(h)), b = part.coordinates(mesh.target(h)),
                c = part.coordinates(mesh.target(mesh.next(h)));
     const Vec3 n = cross(b - a, c - a);
-    part.area.push_back(norm(n) / 2);
-    part.normal.push_back(unit(n));
+    const double twice = norm(n);
+    part.area.push_back(twice / 2);
+    part.normal.push_back(twice > 0 ? (1 / twice) * n : n);
   }
 }
 

@@ -112,7 +112,7 @@ class Cut_triangulator {
       const std::vector<double> fraction = fractions(side);
       for (std::size_t k = 0; k < side.size(); ++k) {
         const auto [x, y] = place(fraction[k]);
-        region.points.emplace(side[k], typename Traits::Point_2(x, y));
+        region.points.emplace_back(side[k], typename Traits::Point_2(x, y));
         if (k > 0) region.boundary.push_back({side[k - 1], side[k]});
       }
     };

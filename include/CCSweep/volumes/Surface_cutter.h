@@ -224,7 +224,7 @@ class Surface_cutter {
     const auto [x, y] = chart_axes(normal);
     for (const auto* list : {&region.boundary, &region.curves})
       for (const auto& [v, w] : *list)
-        for (Vertex u : {v, w}) region.points.emplace(u, Point_2(surface_.points[u][x], surface_.points[u][y]));
+        for (Vertex u : {v, w}) region.points.emplace_back(u, Point_2(surface_.points[u][x], surface_.points[u][y]));
     std::uint32_t fault = 0;
     const auto triangles = Region_triangulation<Traits>::run(region, &fault);
     if (!triangles)

@@ -31,13 +31,12 @@ class Row_builder {
 
   std::vector<Cut_row> run() {
     std::vector<Cut_row> rows;
-    nodes_above_ = unsplit(loops_.segments.back());
     for (std::size_t k = loops_.segments.size() - 1; k-- > 0;) {
-      auto nodes_here = unsplit(loops_.segments[k]);
-      index_segments(loops_.segments[k + 1]);
+      std::map<Ends, std::vector<Node_index>> nodes_here;
       for (const Cut& cut : loops_.cuts[k]) {
         rows.push_back(make_row(Layer_index(k), cut));
-        nodes_here[cut.bottom] = rows.back().bottom;
+        const auto& nodes = rows.back().bottom;
+        nodes_here.emplace(std::minmax(nodes.front(), nodes.back()), nodes);
       }
       nodes_above_ = std::move(nodes_here);
     }
@@ -47,17 +46,7 @@ class Row_builder {
   }
 
  private:
-  static std::vector<std::vector<Node_index>> unsplit(const std::vector<Segment>& segments) {
-    std::vector<std::vector<Node_index>> nodes;
-    for (const Segment& s : segments) nodes.push_back({s.a, s.b});
-    return nodes;
-  }
-
-  void index_segments(const std::vector<Segment>& segments) {
-    segment_between_.clear();
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      segment_between_[std::minmax(segments[i].a, segments[i].b)] = i;
-  }
+  using Ends = std::pair<Node_index, Node_index>;
 
   Cut_row make_row(Layer_index layer, const Cut& cut) {
     const Segment& segment = loops_.segments[layer.value()][cut.bottom];
@@ -77,10 +66,12 @@ class Row_builder {
   std::vector<Node_index> nodes_along(const std::vector<Node_index>& chain) const {
     std::vector<Node_index> nodes{chain.front()};
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      std::vector<Node_index> piece{chain[i], chain[i + 1]};
-      if (const auto found = segment_between_.find(std::minmax(chain[i], chain[i + 1]));
-          found != segment_between_.end())
-        piece = nodes_above_[found->second];
+      const auto found = nodes_above_.find(std::minmax(chain[i], chain[i + 1]));
+      if (found == nodes_above_.end()) {
+        nodes.push_back(chain[i + 1]);
+        continue;
+      }
+      std::vector<Node_index> piece = found->second;
       if (piece.front() != chain[i]) std::reverse(piece.begin(), piece.end());
       nodes.insert(nodes.end(), piece.begin() + 1, piece.end());
     }
@@ -161,8 +152,7 @@ class Row_builder {
   const Part<Traits>& part_;
   const Layering& layering_;
   Loops& loops_;
-  std::vector<std::vector<Node_index>> nodes_above_;  // by segment of the upper layer
-  std::map<std::pair<Node_index, Node_index>, std::size_t> segment_between_;
+  std::map<Ends, std::vector<Node_index>> nodes_above_;  // along the segments of the upper layer that cuts go up from
 };
 
 }  // namespace internal

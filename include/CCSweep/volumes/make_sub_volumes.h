@@ -148,6 +148,7 @@ class Sub_volume_builder {
                      const std::vector<Patch_index>& label, const Cut_triangles& cuts)
       : part_(part), roles_(roles), surface_(surface), cuts_(cuts) {
     first_cut_id_ = *std::max_element(part.patch_id.begin(), part.patch_id.end()) + 1;
+    reserve_pieces(label);
     std::vector<Piece>* pieces = nullptr;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const Patch_index patch = surface.patch[t];
@@ -186,6 +187,14 @@ class Sub_volume_builder {
   };
 
   using Mesh = typename Sub_volume<Point_3>::Mesh;
+
+  void reserve_pieces(const std::vector<Patch_index>& label) {
+    std::vector<std::size_t> count(part_.number_of_patches(), 0);
+    for (const auto* labels : {&label, &cuts_.left, &cuts_.right})
+      for (Patch_index target : *labels) ++count[target.value()];
+    for (std::size_t p = 0; p < count.size(); ++p)
+      if (count[p] > 0) pieces_[Patch_index(p)].reserve(count[p]);
+  }
 
   Sub_volume<Point_3> make_volume(Patch_index target, const std::vector<Piece>& pieces) const {
     Sub_volume<Point_3> volume;

@@ -11,9 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -35,7 +33,7 @@ inline std::pair<int, int> chart_axes(const std::array<double, 3>& normal) {
 /// A planar region to be triangulated: closed polygons and curves inside, between numbered vertices.
 template <class Traits>
 struct Planar_region {
-  std::map<std::uint32_t, typename Traits::Point_2> points;
+  std::vector<std::pair<std::uint32_t, typename Traits::Point_2>> points;  ///< in any order, and any number of times
   std::vector<Vertex_pair> boundary;  ///< each once; any number of loops
   std::vector<Vertex_pair> curves;
 };
@@ -51,34 +49,48 @@ class Region_triangulation {
       CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Traits, Face_base>>;
   using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
       Traits, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
 
  public:
   /// The triangles, counter-clockwise; nothing where two vertices fall together or curves cross.
   /// \param fault is then set to a vertex near by
   static std::optional<std::vector<Triangle>> run(const Planar_region<Traits>& region,
                                                   std::uint32_t* fault = nullptr) {
-    Region_triangulation t;
+    Region_triangulation t(region);
     auto result = t.insert(region) ? t.triangles(region) : std::nullopt;
     if (!result && fault) *fault = t.last_;
     return result;
   }
 
  private:
+  using Numbered_point = std::pair<typename Traits::Point_2, std::uint32_t>;
+
+  explicit Region_triangulation(const Planar_region<Traits>& region) {
+    for (const auto& [v, p] : region.points) vertices_.push_back(v);
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    handles_.resize(vertices_.size());
+  }
+
+  // Where a vertex stands among those of the region.
+  std::uint32_t place(std::uint32_t vertex) const {
+    return static_cast<std::uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin());
+  }
+
   bool insert(const Planar_region<Traits>& region) {
-    std::vector<std::pair<typename Traits::Point_2, std::uint32_t>> points;
-    for (const auto& [v, p] : region.points) points.emplace_back(p, v);
+    std::vector<Numbered_point> points(vertices_.size());
+    for (const auto& [v, p] : region.points) points[place(v)] = {p, place(v)};
     triangulation_.insert(points.begin(), points.end());
-    for (auto v : triangulation_.finite_vertex_handles()) vertex_[v->info()] = v;
-    if (vertex_.size() != points.size()) {
-      for (const auto& [p, v] : points)
-        if (!vertex_.count(v)) last_ = v;
+    for (auto v : triangulation_.finite_vertex_handles()) handles_[v->info()] = v;
+    if (const auto missing = std::find(handles_.begin(), handles_.end(), Vertex_handle()); missing != handles_.end()) {
+      last_ = vertices_[missing - handles_.begin()];
       return false;
     }
     try {
       for (const auto* list : {&region.boundary, &region.curves})
         for (const auto& [a, b] : *list) {
           last_ = a;
-          triangulation_.insert_constraint(vertex_.at(a), vertex_.at(b));
+          triangulation_.insert_constraint(handles_[place(a)], handles_[place(b)]);
         }
     } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
       return false;
@@ -89,7 +101,7 @@ class Region_triangulation {
   // Inside is what an odd number of boundary edges parts from the infinite face.
   std::optional<std::vector<Triangle>> triangles(const Planar_region<Traits>& region) {
     std::vector<Vertex_pair> boundary;
-    for (const auto& [a, b] : region.boundary) boundary.push_back(std::minmax(a, b));
+    for (const auto& [a, b] : region.boundary) boundary.push_back(std::minmax({place(a), place(b)}));
     std::sort(boundary.begin(), boundary.end());
     auto is_boundary = [&](auto face, int i) {
       if (!face->is_constrained(i)) return false;
@@ -114,14 +126,18 @@ class Region_triangulation {
     }
     std::vector<Triangle> result;
     for (auto f : triangulation_.finite_face_handles())
-      if (f->info().depth == 1) result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+      if (f->info().depth == 1) {
+        Triangle& t = result.emplace_back();
+        for (int i = 0; i < 3; ++i) t[i] = vertices_[f->vertex(i)->info()];
+      }
     for (Triangle& t : result) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     std::sort(result.begin(), result.end());
     return result;
   }
 
   Triangulation triangulation_;
-  std::unordered_map<std::uint32_t, typename Triangulation::Vertex_handle> vertex_;
+  std::vector<std::uint32_t> vertices_;  // of the region, ascending; those of the triangulation know their place here
+  std::vector<Vertex_handle> handles_;
   std::uint32_t last_ = 0;  // the vertex that was worked on last
 };
 
