@@ -36,16 +36,16 @@ void measure(Part<Traits>& part) {
     }
   }
   part.diagonal = norm(high - low);
-  part.area.reserve(mesh.number_of_faces());
-  part.normal.reserve(mesh.number_of_faces());
+  part.area.resize(mesh.number_of_faces());
+  part.normal.resize(mesh.number_of_faces());
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
     const Vec3 a = part.coordinates(mesh.source(h)), b = part.coordinates(mesh.target(h)),
                c = part.coordinates(mesh.target(mesh.next(h)));
     const Vec3 n = cross(b - a, c - a);
     const double twice = norm(n);
-    part.area.push_back(twice / 2);
-    part.normal.push_back(twice > 0 ? (1 / twice) * n : n);
+    part.area[f] = twice / 2;
+    part.normal[f] = twice > 0 ? (1 / twice) * n : n;
   }
 }
 
@@ -126,7 +126,9 @@ void sort_borders(Part<Traits>& part) {
 template <class Traits>
 class Patch_plane {
  public:
-  Patch_plane(const Part<Traits>& part, Patch_index patch) : part_(part), normal_(part.normal[face(patch)]) {
+  Patch_plane(const Part<Traits>& part, Patch_index patch)
+      : part_(part), normal_(part.normal[face(patch)]),
+        bound_(1e-12 * part.diagonal + 4e-16 * part.largest_coordinate) {
     const auto h = part.mesh.halfedge(face(patch));
     corners_ = {part.mesh.source(h), part.mesh.target(h), part.mesh.target(part.mesh.next(h))};
     origin_ = part.coordinates(corners_[0]);
@@ -137,8 +139,7 @@ class Patch_plane {
       return CGAL::coplanar(part_.point(corners_[0]), part_.point(corners_[1]), part_.point(corners_[2]),
                             part_.point(v));
     } else {
-      const double bound = 1e-12 * part_.diagonal + 4e-16 * part_.largest_coordinate;
-      return std::abs(dot(normal_, part_.coordinates(v) - origin_)) <= bound;
+      return std::abs(dot(normal_, part_.coordinates(v) - origin_)) <= bound_;
     }
   }
 
@@ -147,6 +148,7 @@ class Patch_plane {
 
   const Part<Traits>& part_;
   Vec3 normal_, origin_;
+  double bound_;
   std::array<typename Part<Traits>::Vertex, 3> corners_;
 };
 
@@ -172,11 +174,12 @@ template <class Traits>
 std::optional<std::array<typename Part<Traits>::Halfedge, 2>> feature_edges_at(const Part<Traits>& part,
                                                                                typename Part<Traits>::Vertex v) {
   if (part.corner[v]) return std::nullopt;
-  std::vector<typename Part<Traits>::Halfedge> incoming;
+  std::array<typename Part<Traits>::Halfedge, 2> incoming;
+  std::size_t number = 0;
   for (auto h : part.mesh.halfedges_around_target(part.mesh.halfedge(v)))
-    if (part.feature[part.mesh.edge(h)]) incoming.push_back(h);
-  if (incoming.size() != 2) return std::nullopt;
-  return std::array{incoming[0], incoming[1]};
+    if (part.feature[part.mesh.edge(h)]) incoming[number++] = h;  // as v is no corner, it has two or none
+  if (number != 2) return std::nullopt;
+  return incoming;
 }
 
 // How far a feature curve that runs along two edges which meet in a vertex turns there.

@@ -110,11 +110,11 @@ class Surface_labels {
     while (!stack_.empty()) {
       const std::uint32_t t = stack_.back();
       stack_.pop_back();
-      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-        if (is_barrier_[side]) continue;
-        sides_.for_each(sides_.target(side), sides_.source(side),
-                        [&](std::uint32_t opposite) { set_label(opposite / 3, label_[t]); });
-      }
+      const Triangle& v = surface_.triangles[t];
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (!is_barrier_[3 * t + k])
+          sides_.for_each(v[(k + 1) % 3], v[k],
+                          [&](std::uint32_t opposite) { set_label(opposite / 3, label_[t]); });
     }
   }
 
