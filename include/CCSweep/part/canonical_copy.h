@@ -108,7 +108,7 @@ std::vector<int> copy_in_canonical_order(const FaceGraph& input, VertexPointMap 
   const auto order = Canonical_vertices<FaceGraph, VertexPointMap>(input, point_of).run();
   mesh.resize(static_cast<std::uint32_t>(order.size()), 0, 0);
   for (std::uint32_t v = 0; v < order.size(); ++v) {
-    mesh.point(CGAL::SM_Vertex_index(v)) = Point_3(order[v].place[0], order[v].place[1], order[v].place[2]);
+    mesh.point(CGAL::SM_Vertex_index(v)) = get(point_of, order[v].vertex);
     put(rank, order[v].vertex, v);
   }
   std::vector<Facet> facets;
