@@ -13,6 +13,7 @@
 #include <CCSweep/part/Roles.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -74,8 +75,8 @@ class Wall_tracer {
   // Where layer k stands among the layers and the gaps between them, and so does what lies on it; what lies above it
   // and below the next one stands one higher.
   static int position(std::size_t layer) { return 2 * static_cast<int>(layer); }
-  bool is_between_layers(int position) const {
-    return position % 2 == 1 && position < this->position(layering_.number_of_layers() - 1);
+  bool is_between_layers(int place) const {
+    return place % 2 == 1 && place < position(layering_.number_of_layers() - 1);
   }
 
   void place_vertices() {
