@@ -38,8 +38,8 @@ class Triangle_connector {
   static constexpr Size none = std::numeric_limits<Size>::max();
 
   Triangle_connector(std::size_t triangles, Mesh& mesh)
-      : mesh_(mesh), first_edge_(mesh.number_of_vertices(), none), next_edge_(3 * triangles / 2, none) {
-    mesh.resize(mesh.number_of_vertices(), static_cast<Size>(next_edge_.size()), static_cast<Size>(triangles));
+      : mesh_(mesh), first_edge_(mesh.number_of_vertices(), none), edges_(3 * triangles / 2) {
+    mesh.resize(mesh.number_of_vertices(), static_cast<Size>(edges_.size()), static_cast<Size>(triangles));
   }
 
   template <class Triangle, class Corners>
@@ -68,25 +68,31 @@ class Triangle_connector {
       const Halfedge back(2 * edge + 1);
       return mesh_.face(back).is_valid() ? Halfedge() : back;
     }
-    if (edges_ == next_edge_.size() || edge_from(a, b) != none) return Halfedge();
-    const Halfedge made(2 * edges_);
+    if (number_of_edges_ == edges_.size() || edge_from(a, b) != none) return Halfedge();
+    const Halfedge made(2 * number_of_edges_);
     mesh_.set_target(made, Vertex(b));
     mesh_.set_target(mesh_.opposite(made), Vertex(a));
-    next_edge_[edges_] = first_edge_[a];
-    first_edge_[a] = edges_++;
+    edges_[number_of_edges_] = {b, first_edge_[a]};
+    first_edge_[a] = number_of_edges_++;
     return made;
   }
 
   // The edge whose first halfedge leads from a to b.
   Size edge_from(Size a, Size b) const {
     Size edge = first_edge_[a];
-    while (edge != none && mesh_.target(Halfedge(2 * edge)) != Vertex(b)) edge = next_edge_[edge];
+    while (edge != none && edges_[edge].target != b) edge = edges_[edge].next;
     return edge;
   }
 
+  // Of the list of the edges whose first halfedge leaves a vertex.
+  struct Listed_edge {
+    Size target, next;
+  };
+
   Mesh& mesh_;
-  std::vector<Size> first_edge_, next_edge_;  // lists of the edges whose first halfedge leaves a vertex
-  Size edges_ = 0;
+  std::vector<Size> first_edge_;  // by vertex
+  std::vector<Listed_edge> edges_;
+  Size number_of_edges_ = 0;
 };
 
 /// Whether all triangles at a vertex are met on one walk around it.

@@ -13,6 +13,7 @@
 #include <CCSweep/part/Roles.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ class Wall_tracer {
       : part_(part), roles_(roles), layering_(layering), bottom_of_(part.mesh.number_of_faces(), none),
         is_done_(part.mesh.number_of_faces(), false), pieces_(part.mesh.number_of_vertices()),
         loop_at_(part.mesh.number_of_vertices(), none) {
+    place_vertices();
     distribute_faces();
     find_sharp_edges();
     join_vertices();
@@ -70,30 +72,45 @@ class Wall_tracer {
   double parameter(Vertex v) const { return layering_.parameter[v]; }
   bool is_wall(Face f) const { return roles_.of_patch[part_.patch(f).value()] == Role::linking; }
 
+  // Where layer k stands among the layers and the gaps between them, and so does what lies on it; what lies above it
+  // and below the next one stands one higher.
+  static int position(std::size_t layer) { return 2 * static_cast<int>(layer); }
+  bool is_between_layers(int place) const {
+    return place % 2 == 1 && place < position(layering_.number_of_layers() - 1);
+  }
+
+  void place_vertices() {
+    const auto& layers = layering_.layers;
+    position_.reserve(part_.mesh.number_of_vertices());
+    for (Vertex v : part_.mesh.vertices()) {
+      const auto above = std::lower_bound(layers.begin(), layers.end(), parameter(v));
+      const int next = position(above - layers.begin());
+      position_.push_back(above != layers.end() && *above == parameter(v) ? next : next - 1);
+    }
+  }
+
   // The faces of the linking patches by the layers that they reach up from and up to.
   void distribute_faces() {
-    const auto& layers = layering_.layers;
-    leaving_.resize(layers.size());
-    arriving_.resize(layers.size());
-    for (Face f : part_.mesh.faces()) {
+    const std::size_t n = layering_.number_of_layers();
+    const auto& mesh = part_.mesh;
+    leaving_.resize(n);
+    arriving_.resize(n);
+    for (Face f : mesh.faces()) {
       if (!is_wall(f)) continue;
-      double low = 1e300, high = -1e300;
-      for (Vertex v : part_.mesh.vertices_around_face(part_.mesh.halfedge(f))) {
-        low = std::min(low, parameter(v));
-        high = std::max(high, parameter(v));
-      }
-      if (!(low >= layers.front() && high <= layers.back()))
+      const Halfedge h = mesh.halfedge(f);
+      const Vertex u = mesh.target(h), v = mesh.target(mesh.next(h)), w = mesh.target(mesh.prev(h));
+      const auto [low, high] = std::minmax({position_[u], position_[v], position_[w]});
+      if (low < 0 || high > position(n - 1))
         fail(Status_code::inconsistent_levels, Stage::linking_mesh,
              "linking patch " + std::to_string(part_.id(part_.patch(f))) + " reaches beyond the last source or target",
              {part_.id(part_.patch(f))}, place_of(f));
-      if (low == high)
+      if (parameter(u) == parameter(v) && parameter(v) == parameter(w))
         fail(Status_code::linking_face_not_mappable, Stage::linking_mesh,
              "linking patch " + std::to_string(part_.id(part_.patch(f))) + " has a facet across the sweep",
              {part_.id(part_.patch(f))}, place_of(f));
-      std::size_t k = std::upper_bound(layers.begin(), layers.end(), low) - layers.begin() - 1;
-      for (; k + 1 < layers.size() && layers[k] < high; ++k) {
-        if (low <= layers[k]) leaving_[k].push_back(f);
-        if (high >= layers[k + 1]) arriving_[k + 1].push_back(f);
+      for (std::size_t k = low / 2; k + 1 < n && position(k) < high; ++k) {
+        if (low <= position(k)) leaving_[k].push_back(f);
+        if (high >= position(k + 1)) arriving_[k + 1].push_back(f);
       }
     }
   }
@@ -119,24 +136,29 @@ class Wall_tracer {
     return Surface_location::edge(e, (value - a) / (b - a));
   }
 
-  // side +1: the region above the value, whose row leaves upwards; -1: the one below, whose row arrives.
-  std::optional<Row_piece> row_piece(Face f, double value, int side) const {
+  // side +1: the region above the layer, whose row leaves upwards; -1: the one below, whose row arrives.
+  std::optional<Row_piece> row_piece(Face f, std::size_t layer, int side) const {
     const auto& mesh = part_.mesh;
+    const Halfedge first = mesh.halfedge(f);
+    const std::array<Halfedge, 3> sides{first, mesh.next(first), mesh.prev(first)};
+    std::array<bool, 3> ends_inside;
+    for (std::size_t k = 0; k < 3; ++k)
+      ends_inside[k] = side * (position_[mesh.target(sides[k])] - position(layer)) > 0;
     Halfedge out, in;  // the region's border turns onto the row at `out` and leaves it at `in`
-    for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      const bool a = side * (parameter(mesh.source(h)) - value) > 0, b = side * (parameter(mesh.target(h)) - value) > 0;
-      if (a && !b) out = h;
-      if (!a && b) in = h;
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const bool begins_inside = ends_inside[(k + 2) % 3]; begins_inside != ends_inside[k])
+        (begins_inside ? out : in) = sides[k];
     if (!out.is_valid() || !in.is_valid()) return std::nullopt;
     Row_piece piece;
     const Vertex v = mesh.target(out), w = mesh.source(in);
-    piece.from = parameter(v) == value ? Surface_location::vertex(v) : crossing(out, value);
-    piece.to = parameter(w) == value ? Surface_location::vertex(w) : crossing(in, value);
+    const bool from_vertex = position_[v] == position(layer), to_vertex = position_[w] == position(layer);
+    const double value = layering_.layers[layer];
+    piece.from = from_vertex ? Surface_location::vertex(v) : crossing(out, value);
+    piece.to = to_vertex ? Surface_location::vertex(w) : crossing(in, value);
     piece.way_out = in;
     piece.is_point = piece.from.same_place(piece.to);
     piece.carrier = {false, static_cast<std::uint32_t>(f)};
-    if (parameter(v) == value && parameter(w) == value && v != w)
+    if (from_vertex && to_vertex && v != w)
       piece.carrier = {true, static_cast<std::uint32_t>(mesh.edge(mesh.next(out)))};
     if (side < 0) {  // below a row the same turn runs the other way
       std::swap(piece.from, piece.to);
@@ -147,14 +169,13 @@ class Wall_tracer {
 
   std::vector<Wall_loop> trace_loops(const std::vector<Face>& starts, std::size_t layer, int side,
                                      std::vector<std::vector<Face>>& faces) {
-    const double value = layering_.layers[layer];
     std::vector<Wall_loop> loops;
     faces.clear();
     for (Face start : starts) {
       if (is_done_[start]) continue;
-      const auto piece = row_piece(start, value, side);
+      const auto piece = row_piece(start, layer, side);
       if (!piece || piece->is_point) continue;
-      loops.push_back(trace_loop(start, value, side, faces.emplace_back()));
+      loops.push_back(trace_loop(start, layer, side, faces.emplace_back()));
     }
     for (const auto& passed : faces)
       for (Face f : passed) is_done_[f] = false;
@@ -162,14 +183,14 @@ class Wall_tracer {
   }
 
   // The loop, and all faces that it passes, also those that it meets in a vertex only.
-  Wall_loop trace_loop(Face start, double value, int side, std::vector<Face>& passed) {
+  Wall_loop trace_loop(Face start, std::size_t layer, int side, std::vector<Face>& passed) {
     Wall_loop loop;
     Face f = start;
     do {
-      const auto piece = row_piece(f, value, side);
+      const auto piece = row_piece(f, layer, side);
       if (!is_wall(f) || !piece)
         fail(Status_code::inconsistent_levels, Stage::linking_mesh,
-             "the row of the linking mesh at " + std::to_string(value) + " runs into patch " +
+             "the row of the linking mesh at " + std::to_string(layering_.layers[layer]) + " runs into patch " +
                  std::to_string(part_.id(part_.patch(f))),
              {part_.id(part_.patch(f))}, place_of(f));
       if (!piece->is_point) {
@@ -185,18 +206,11 @@ class Wall_tracer {
 
   // Vertices between the same two layers that edges join lie on one piece of the surface between these.
   void join_vertices() {
-    const auto& layers = layering_.layers;
     const auto& mesh = part_.mesh;
-    slab_of_.reserve(mesh.number_of_vertices());
-    for (Vertex v : mesh.vertices()) {
-      const auto above = std::lower_bound(layers.begin(), layers.end(), parameter(v));
-      const bool is_between = above != layers.begin() && above != layers.end() && *above != parameter(v);
-      slab_of_.push_back(is_between ? static_cast<std::uint32_t>(above - layers.begin() - 1) : none);
-    }
     for (auto e : mesh.edges()) {
       const Halfedge h = mesh.halfedge(e);
       const Vertex v = mesh.source(h), w = mesh.target(h);
-      if (slab_of_[v] != none && slab_of_[v] == slab_of_[w]) pieces_.join(v, w);
+      if (position_[v] == position_[w] && is_between_layers(position_[v])) pieces_.join(v, w);
     }
   }
 
@@ -209,7 +223,7 @@ class Wall_tracer {
     const auto join_over_vertices = [&](const std::vector<Face>& faces, std::size_t loop) {
       for (Face f : faces)
         for (Vertex v : part_.mesh.vertices_around_face(part_.mesh.halfedge(f))) {
-          if (slab_of_[v] != slab) continue;
+          if (position_[v] != position(slab) + 1) continue;
           const std::size_t piece = pieces_.root(v);
           if (loop_at_[piece] == none) {
             loop_at_[piece] = static_cast<std::uint32_t>(loop);
@@ -325,7 +339,7 @@ class Wall_tracer {
   std::vector<bool> sharp_;
   std::vector<std::uint32_t> bottom_of_;  // per face: the loop at the bottom of the slab at hand that passes it
   std::vector<bool> is_done_;             // per face, for the layer at hand
-  std::vector<std::uint32_t> slab_of_;    // per vertex: the layer below it; none where it lies on a layer
+  std::vector<int> position_;             // per vertex, among the layers
   Union_find pieces_;                     // of the vertices between two layers
   std::vector<std::uint32_t> loop_at_;    // per piece: a loop that meets it, in the slab at hand
 };

@@ -4,6 +4,7 @@
 #define CCSWEEP_LOOPS_OVERLAY_NEAR_H
 
 #include <CCSweep/internal/bucket_sort.h>
+#include <CCSweep/loops/box_runs.h>
 #include <CCSweep/loops/overlay_chains.h>
 #include <CCSweep/loops/overlay_nodes.h>
 #include <CCSweep/loops/segment_index.h>
@@ -23,25 +24,6 @@ namespace CCSweep::internal {
 
 using Near_pair = std::pair<std::uint32_t, std::uint32_t>;
 using Step = std::array<Node_index, 2>;  // from a node of a chain to the next
-
-// A box that costs no calls.
-struct Flat_box {
-  double xmin, ymin, xmax, ymax;
-
-  friend bool boxes_meet(const Flat_box& a, const Flat_box& b) {
-    return a.xmin <= b.xmax && b.xmin <= a.xmax && a.ymin <= b.ymax && b.ymin <= a.ymax;
-  }
-  void add(const Flat_box& b) {
-    xmin = std::min(xmin, b.xmin);
-    ymin = std::min(ymin, b.ymin);
-    xmax = std::max(xmax, b.xmax);
-    ymax = std::max(ymax, b.ymax);
-  }
-  Flat_box inflated(double by) const { return {xmin - by, ymin - by, xmax + by, ymax + by}; }
-  CGAL::Bbox_2 bbox() const { return {xmin, ymin, xmax, ymax}; }
-};
-
-inline Flat_box flat_box(const CGAL::Bbox_2& b) { return {b.xmin(), b.ymin(), b.xmax(), b.ymax()}; }
 
 // Whether all of a segment cd is on one side of the line ab, and farther from it than `reach`.
 inline bool is_beside(Place_2 a, Place_2 b, Place_2 c, Place_2 d, double reach) {
@@ -121,42 +103,24 @@ struct Course_box : Flat_box {
   std::uint32_t course;
 };
 
-// Finds all pairs of segments whose boxes meet and that `may_meet` lets pass, except pairs of one course. Outlines are
-// ordered: neighbours in the sequence lie side by side in the plane, so the index gets short runs of them, and is an
-// eighth of the size and asked an eighth as often.
+// Finds all pairs of segments whose boxes meet and that `may_meet` lets pass, except pairs of one course. The index gets
+// runs of segments.
 template <class SegmentIndex, class May_meet>
 class Near_pairs {
  public:
   static std::vector<Near_pair> of(const std::vector<Course_box>& boxes, const May_meet& may_meet) {
     Near_pairs search(boxes, may_meet);
-    search.make_runs();
     for (std::uint32_t run = 0; run < search.runs_.size(); ++run) search.within(run);
     search.find();
     return std::move(search.pairs_);
   }
 
  private:
-  static constexpr std::uint32_t length = 8;
-
-  Near_pairs(const std::vector<Course_box>& boxes, const May_meet& may_meet) : boxes_(boxes), may_meet_(may_meet) {}
-
-  // Segments in no order do not meet their predecessors, and make runs of one.
-  void make_runs() {
-    const std::uint32_t size = static_cast<std::uint32_t>(boxes_.size());
-    firsts_.reserve(size / length + 2);
-    runs_.reserve(size / length + 1);
-    for (std::uint32_t i = 0; i < size;) {
-      firsts_.push_back(i);
-      Flat_box run = boxes_[i];
-      const std::uint32_t end = std::min(i + length, size);
-      for (++i; i < end && boxes_meet(run, boxes_[i]); ++i) run.add(boxes_[i]);
-      runs_.push_back(run.bbox());
-    }
-    firsts_.push_back(size);
-  }
+  Near_pairs(const std::vector<Course_box>& boxes, const May_meet& may_meet)
+      : boxes_(boxes), may_meet_(may_meet), runs_(boxes) {}
 
   void find() {
-    const SegmentIndex index(runs_);
+    const SegmentIndex index(runs_.boxes());
     if constexpr (SelfJoiningSegmentIndex_2<SegmentIndex>) {
       const auto meet = [this](const Near_pair& pair) { between(pair.first, pair.second); };
       index.pairs(boost::make_function_output_iterator(meet));
@@ -164,7 +128,7 @@ class Near_pairs {
       std::vector<std::size_t> found;
       for (std::uint32_t run = 0; run < runs_.size(); ++run) {
         found.clear();
-        index.candidates(runs_[run], std::back_inserter(found));
+        index.candidates(runs_.boxes()[run], std::back_inserter(found));
         for (std::size_t other : found) {
           if (run < other) between(run, static_cast<std::uint32_t>(other));
         }
@@ -175,7 +139,7 @@ class Near_pairs {
   bool are_one_course(std::uint32_t i, std::uint32_t j) const { return boxes_[i].course == boxes_[j].course; }
 
   void within(std::uint32_t run) {
-    const std::uint32_t first = firsts_[run], last = firsts_[run + 1];
+    const std::uint32_t first = runs_.begin(run), last = runs_.end(run);
     if (are_one_course(first, last - 1)) return;
     std::uint32_t next_course = first;
     for (std::uint32_t i = first; i < last; ++i) {
@@ -185,15 +149,15 @@ class Near_pairs {
   }
 
   void between(std::uint32_t run, std::uint32_t other) {
-    if (are_one_course(firsts_[run], firsts_[other + 1] - 1)) return;
-    const Flat_box first = flat_box(runs_[run]), second = flat_box(runs_[other]);
-    std::uint32_t near[length];
+    if (are_one_course(runs_.begin(run), runs_.end(other) - 1)) return;
+    const Flat_box first = flat_box(runs_.boxes()[run]), second = flat_box(runs_.boxes()[other]);
+    std::uint32_t near[Box_runs::length];
     std::uint32_t size = 0;
-    for (std::uint32_t j = firsts_[other]; j < firsts_[other + 1]; ++j) {
+    for (std::uint32_t j = runs_.begin(other); j < runs_.end(other); ++j) {
       if (boxes_meet(boxes_[j], first)) near[size++] = j;
     }
     if (size == 0) return;
-    for (std::uint32_t i = firsts_[run]; i < firsts_[run + 1]; ++i) {
+    for (std::uint32_t i = runs_.begin(run); i < runs_.end(run); ++i) {
       if (!boxes_meet(boxes_[i], second)) continue;
       for (std::uint32_t k = 0; k < size; ++k) add(i, near[k]);
     }
@@ -205,8 +169,7 @@ class Near_pairs {
 
   const std::vector<Course_box>& boxes_;
   const May_meet& may_meet_;
-  std::vector<std::uint32_t> firsts_;  // the first segment of each run, and the number of segments
-  std::vector<CGAL::Bbox_2> runs_;
+  Box_runs runs_;
   std::vector<Near_pair> pairs_;
 };
 

@@ -3,11 +3,11 @@
 #ifndef CCSWEEP_LOOPS_SNAP_CLEARANCE_H
 #define CCSWEEP_LOOPS_SNAP_CLEARANCE_H
 
+#include <CCSweep/loops/box_runs.h>
 #include <CCSweep/loops/overlay_nodes.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -34,7 +34,7 @@ class Snap_clearance {
     const double radius = 3 * reach;
     std::vector<std::size_t> near;
     const CGAL::Bbox_2 here(place[0], place[1], place[0], place[1]);
-    index_.candidates(inflated(here, radius), std::back_inserter(near));
+    index_.find(inflated(here, radius), near);
     std::erase_if(near, [&](std::size_t f) { return distance_to(f, place) >= radius; });
     if (near.empty()) return true;
     std::vector<bool> reached(near.size(), false);
@@ -65,15 +65,16 @@ class Snap_clearance {
     return closest(place, nodes_.place(features_[feature].a), nodes_.place(features_[feature].b)).distance;
   }
 
-  std::vector<CGAL::Bbox_2> boxes() const {
-    std::vector<CGAL::Bbox_2> result;
-    for (const Fixed_feature& feature : features_) result.push_back(nodes_.box(feature.a, feature.b));
+  std::vector<Flat_box> boxes() const {
+    std::vector<Flat_box> result;
+    result.reserve(features_.size());
+    for (const Fixed_feature& feature : features_) result.push_back(flat_box(nodes_.box(feature.a, feature.b)));
     return result;
   }
 
   const Layer_nodes<Traits>& nodes_;
   std::vector<Fixed_feature> features_;
-  SegmentIndex index_;
+  Run_search<SegmentIndex> index_;
 };
 
 }  // namespace CCSweep::internal

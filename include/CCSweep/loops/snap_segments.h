@@ -4,6 +4,7 @@
 #define CCSWEEP_LOOPS_SNAP_SEGMENTS_H
 
 #include <CCSweep/Layer_drawing.h>
+#include <CCSweep/loops/box_runs.h>
 #include <CCSweep/loops/overlay_nodes.h>
 #include <CCSweep/loops/snap_clearance.h>
 #include <CCSweep/loops/snap_merge.h>
@@ -126,13 +127,14 @@ class Segment_snapper {
     return result;
   }
 
-  SegmentIndex index(const std::vector<std::size_t>& segments) const {
-    std::vector<CGAL::Bbox_2> boxes;
+  Run_search<SegmentIndex> index(const std::vector<std::size_t>& segments) const {
+    std::vector<Flat_box> boxes;
+    boxes.reserve(segments.size());
     for (std::size_t s : segments) {
-      boxes.push_back(
-          inflated(nodes_.box(a(s), b(s)), 2 * drawing_.segments[s].chord_error + segment_reach(s) + displacement(s)));
+      const double by = 2 * drawing_.segments[s].chord_error + segment_reach(s) + displacement(s);
+      boxes.push_back(flat_box(inflated(nodes_.box(a(s), b(s)), by)));
     }
-    return SegmentIndex(boxes);
+    return Run_search<SegmentIndex>(std::move(boxes));
   }
 
   double displacement(Node_index n) const { return distance(nodes_.place(n), places_[n.value()]); }
@@ -159,14 +161,14 @@ class Segment_snapper {
 
   void move_to_fixed() {
     const std::vector<std::size_t> walls = segments(true);
-    const SegmentIndex near(index(walls));
+    const Run_search<SegmentIndex> near(index(walls));
     std::vector<std::pair<Node_index, Hit>> moves;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const Node_index n(i);
       if (!stands(i) || nodes_.fixed[i]) continue;
       found.clear();
-      near.candidates(around(n), std::back_inserter(found));
+      near.find(around(n), found);
       for (std::size_t& f : found) f = walls[f];
       if (const std::optional<Hit> hit = nearest_wall(n, found)) moves.emplace_back(n, *hit);
     }
@@ -215,13 +217,13 @@ class Segment_snapper {
     std::vector<std::size_t> all = segments(false);
     const std::vector<std::size_t> walls = segments(true);
     all.insert(all.end(), walls.begin(), walls.end());
-    const SegmentIndex near(index(all));
+    const Run_search<SegmentIndex> near(index(all));
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (!stands(i)) continue;
       const Node_index n(i);
       found.clear();
-      near.candidates(around(n), std::back_inserter(found));
+      near.find(around(n), found);
       std::sort(found.begin(), found.end());
       for (std::size_t f : found) bend(all[f], n);
     }

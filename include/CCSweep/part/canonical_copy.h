@@ -117,7 +117,7 @@ std::vector<int> copy_in_canonical_order(const FaceGraph& input, VertexPointMap 
     const auto h = halfedge(f, input);
     std::array<std::uint32_t, 3> v{get(rank, source(h, input)), get(rank, target(h, input)),
                                    get(rank, target(next(h, input), input))};
-    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    while (v[0] > v[1] || v[0] > v[2]) v = {v[1], v[2], v[0]};
     facets.push_back({v, static_cast<int>(get(patch_of, f))});
   }
   bucket_sort(

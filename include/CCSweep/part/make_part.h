@@ -36,16 +36,16 @@ void measure(Part<Traits>& part) {
     }
   }
   part.diagonal = norm(high - low);
-  part.area.reserve(mesh.number_of_faces());
-  part.normal.reserve(mesh.number_of_faces());
+  part.area.resize(mesh.number_of_faces());
+  part.normal.resize(mesh.number_of_faces());
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
     const Vec3 a = part.coordinates(mesh.source(h)), b = part.coordinates(mesh.target(h)),
                c = part.coordinates(mesh.target(mesh.next(h)));
     const Vec3 n = cross(b - a, c - a);
     const double twice = norm(n);
-    part.area.push_back(twice / 2);
-    part.normal.push_back(twice > 0 ? (1 / twice) * n : n);
+    part.area[f] = twice / 2;
+    part.normal[f] = twice > 0 ? (1 / twice) * n : n;
   }
 }
 
@@ -70,33 +70,36 @@ void find_patches(Part<Traits>& part, const std::vector<int>& id_of_face) {
     part.patch_id.push_back(id_of_face[root]);
   }
   part.faces.resize(roots.size());
+  part.area_of_patch.resize(roots.size(), 0);
+  for (std::size_t root : roots) part.largest_face.emplace_back(root);
   for (auto f : mesh.faces()) {
     const Patch_index patch = part.patch_of_face[pieces.root(f)];
     part.patch_of_face[f] = patch;
     part.faces[patch.value()].push_back(f);
-  }
-  for (const auto& faces : part.faces) {
-    auto largest = faces.front();
-    double area = 0;
-    for (auto f : faces) {
-      area += part.area[f];
-      if (part.area[f] > part.area[largest]) largest = f;
-    }
-    part.largest_face.push_back(largest);
-    part.area_of_patch.push_back(area);
+    part.area_of_patch[patch.value()] += part.area[f];
+    auto& largest = part.largest_face[patch.value()];
+    if (part.area[f] > part.area[largest]) largest = f;
   }
 }
 
-// Finds the feature edges and the corners. Returns the number of feature edges at each vertex.
+struct Vertex_features {
+  std::vector<std::uint32_t> degree;  // per vertex: the number of feature edges at it
+  std::vector<Patch_index> patch;     // per vertex: one that it is on
+};
+
+// Finds the feature edges and the corners.
 template <class Traits>
-std::vector<std::uint32_t> find_features(Part<Traits>& part) {
+Vertex_features find_features(Part<Traits>& part) {
   const auto& mesh = part.mesh;
   part.feature.assign(mesh.number_of_edges(), false);
   part.border.resize(part.number_of_patches());
-  std::vector<std::uint32_t> degree(mesh.number_of_vertices(), 0);
+  Vertex_features result{std::vector<std::uint32_t>(mesh.number_of_vertices(), 0),
+                         std::vector<Patch_index>(mesh.number_of_vertices())};
+  auto& degree = result.degree;
   for (auto e : mesh.edges()) {
     const auto h = mesh.halfedge(e), o = mesh.opposite(h);
     const Patch_index p = part.patch(mesh.face(h)), q = part.patch(mesh.face(o));
+    result.patch[mesh.source(h)] = result.patch[mesh.target(h)] = p;
     if (p == q) continue;
     part.feature[e] = true;
     part.border[p.value()].push_back(h);
@@ -106,7 +109,7 @@ std::vector<std::uint32_t> find_features(Part<Traits>& part) {
   }
   part.corner.assign(mesh.number_of_vertices(), false);
   for (auto v : mesh.vertices()) part.corner[v] = degree[v] != 0 && degree[v] != 2;
-  return degree;
+  return result;
 }
 
 // Face by face, and in the sense around each.
@@ -126,7 +129,9 @@ void sort_borders(Part<Traits>& part) {
 template <class Traits>
 class Patch_plane {
  public:
-  Patch_plane(const Part<Traits>& part, Patch_index patch) : part_(part), normal_(part.normal[face(patch)]) {
+  Patch_plane(const Part<Traits>& part, Patch_index patch)
+      : part_(part), normal_(part.normal[face(patch)]),
+        bound_(1e-12 * part.diagonal + 4e-16 * part.largest_coordinate) {
     const auto h = part.mesh.halfedge(face(patch));
     corners_ = {part.mesh.source(h), part.mesh.target(h), part.mesh.target(part.mesh.next(h))};
     origin_ = part.coordinates(corners_[0]);
@@ -137,8 +142,7 @@ class Patch_plane {
       return CGAL::coplanar(part_.point(corners_[0]), part_.point(corners_[1]), part_.point(corners_[2]),
                             part_.point(v));
     } else {
-      const double bound = 1e-12 * part_.diagonal + 4e-16 * part_.largest_coordinate;
-      return std::abs(dot(normal_, part_.coordinates(v) - origin_)) <= bound;
+      return std::abs(dot(normal_, part_.coordinates(v) - origin_)) <= bound_;
     }
   }
 
@@ -147,12 +151,13 @@ class Patch_plane {
 
   const Part<Traits>& part_;
   Vec3 normal_, origin_;
+  double bound_;
   std::array<typename Part<Traits>::Vertex, 3> corners_;
 };
 
 // A patch is planar where its border and the vertices inside it, which have no feature edge, are.
 template <class Traits>
-void find_planar_patches(Part<Traits>& part, const std::vector<std::uint32_t>& degree) {
+void find_planar_patches(Part<Traits>& part, const Vertex_features& features) {
   const auto& mesh = part.mesh;
   std::vector<Patch_plane<Traits>> planes;
   for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
@@ -161,8 +166,8 @@ void find_planar_patches(Part<Traits>& part, const std::vector<std::uint32_t>& d
                                       [&](auto h) { return planes[p].has_on(mesh.target(h)); }));
   }
   for (auto v : mesh.vertices()) {
-    if (degree[v] != 0) continue;
-    const std::size_t p = part.patch(mesh.face(mesh.halfedge(v))).value();
+    if (features.degree[v] != 0) continue;
+    const std::size_t p = features.patch[v].value();
     if (part.planar[p] && !planes[p].has_on(v)) part.planar[p] = false;
   }
 }
@@ -172,11 +177,12 @@ template <class Traits>
 std::optional<std::array<typename Part<Traits>::Halfedge, 2>> feature_edges_at(const Part<Traits>& part,
                                                                                typename Part<Traits>::Vertex v) {
   if (part.corner[v]) return std::nullopt;
-  std::vector<typename Part<Traits>::Halfedge> incoming;
+  std::array<typename Part<Traits>::Halfedge, 2> incoming;
+  std::size_t number = 0;
   for (auto h : part.mesh.halfedges_around_target(part.mesh.halfedge(v)))
-    if (part.feature[part.mesh.edge(h)]) incoming.push_back(h);
-  if (incoming.size() != 2) return std::nullopt;
-  return std::array{incoming[0], incoming[1]};
+    if (part.feature[part.mesh.edge(h)]) incoming[number++] = h;  // as v is no corner, it has two or none
+  if (number != 2) return std::nullopt;
+  return incoming;
 }
 
 // How far a feature curve that runs along two edges which meet in a vertex turns there.
@@ -251,10 +257,10 @@ Result<Part<Traits>> make_part(const FaceGraph& input, VertexPointMap point_of, 
     const std::vector<int> id_of_face = internal::copy_in_canonical_order(input, point_of, patch_of, part.mesh);
     internal::measure(part);
     internal::find_patches(part, id_of_face);
-    const std::vector<std::uint32_t> degree = internal::find_features(part);
+    const internal::Vertex_features features = internal::find_features(part);
     internal::sort_borders(part);
-    internal::find_planar_patches(part, degree);
-    internal::estimate_chord_errors(part, degree);
+    internal::find_planar_patches(part, features);
+    internal::estimate_chord_errors(part, features.degree);
     return part;
   });
 }

@@ -17,33 +17,30 @@ namespace CCSweep::internal {
 class Triangle_sides {
  public:
   Triangle_sides(std::span<const Triangle> triangles, std::size_t number_of_vertices)
-      : triangles_(triangles), first_(number_of_vertices + 1, 0), sides_(3 * triangles.size()) {
+      : first_(number_of_vertices + 1, 0), sides_(3 * triangles.size()) {
     for (const Triangle& t : triangles)
       for (std::uint32_t v : t) ++first_[v + 1];
     for (std::size_t v = 0; v < number_of_vertices; ++v) first_[v + 1] += first_[v];
     std::vector<std::uint32_t> next = first_;
-    for (std::uint32_t s = 0; s < sides_.size(); ++s) sides_[next[source(s)]++] = s;
-  }
-
-  std::uint32_t source(std::uint32_t side) const { return triangles_[side / 3][side % 3]; }
-  std::uint32_t target(std::uint32_t side) const { return triangles_[side / 3][(side % 3 + 1) % 3]; }
-
-  /// The sides that begin at a vertex.
-  std::span<const std::uint32_t> from(std::uint32_t vertex) const {
-    return {sides_.data() + first_[vertex], sides_.data() + first_[vertex + 1]};
+    std::uint32_t number = 0;
+    for (const Triangle& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) sides_[next[t[k]]++] = {t[k == 2 ? 0 : k + 1], number++};
   }
 
   /// Calls a function with each side from v to w.
   template <class Function>
   void for_each(std::uint32_t v, std::uint32_t w, const Function& function) const {
-    for (std::uint32_t side : from(v))
-      if (target(side) == w) function(side);
+    for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i)
+      if (sides_[i].target == w) function(sides_[i].number);
   }
 
  private:
-  std::span<const Triangle> triangles_;
+  struct Side {
+    std::uint32_t target, number;
+  };
+
   std::vector<std::uint32_t> first_;  // by vertex, in `sides_`
-  std::vector<std::uint32_t> sides_;
+  std::vector<Side> sides_;
 };
 
 }  // namespace CCSweep::internal

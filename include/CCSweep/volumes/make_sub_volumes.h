@@ -110,11 +110,11 @@ class Surface_labels {
     while (!stack_.empty()) {
       const std::uint32_t t = stack_.back();
       stack_.pop_back();
-      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-        if (is_barrier_[side]) continue;
-        sides_.for_each(sides_.target(side), sides_.source(side),
-                        [&](std::uint32_t opposite) { set_label(opposite / 3, label_[t]); });
-      }
+      const Triangle& v = surface_.triangles[t];
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (!is_barrier_[3 * t + k])
+          sides_.for_each(v[(k + 1) % 3], v[k],
+                          [&](std::uint32_t opposite) { set_label(opposite / 3, label_[t]); });
     }
   }
 
@@ -225,21 +225,20 @@ class Sub_volume_builder {
 
   // Makes the mesh over the vertices of the surface. Returns whether it is a closed 2-manifold.
   bool connect_vertices(const std::vector<Piece>& pieces, Mesh& mesh) const {
-    constexpr std::uint32_t unused = static_cast<std::uint32_t>(-1);
-    std::uint32_t least = unused, most = 0;
+    std::uint32_t least = static_cast<std::uint32_t>(-1), most = 0;
     for (const Piece& p : pieces) {
       least = std::min({least, p.vertices[0], p.vertices[1], p.vertices[2]});
       most = std::max({most, p.vertices[0], p.vertices[1], p.vertices[2]});
     }
-    std::vector<std::uint32_t> number(most + 1 - least, unused);
+    std::vector<std::uint32_t> number(most + 1 - least, 0), vertex_of(number.size());
     for (const Piece& p : pieces)
-      for (std::uint32_t v : p.vertices) number[v - least] = 0;
-    std::vector<std::uint32_t> vertex_of;
-    for (std::uint32_t i = 0; i < number.size(); ++i) {
-      if (number[i] == unused) continue;
-      number[i] = static_cast<std::uint32_t>(vertex_of.size());
-      vertex_of.push_back(least + i);
+      for (std::uint32_t v : p.vertices) number[v - least] = 1;
+    std::uint32_t used = 0;
+    for (std::uint32_t i = 0; i < number.size(); ++i) {  // without branches, as which vertices are used has no pattern
+      vertex_of[used] = least + i;
+      used += std::exchange(number[i], used);
     }
+    vertex_of.resize(used);
     add_vertices(vertex_of, mesh);
     const auto corners = [&](const Piece& p) {
       return Triangle{number[p.vertices[0] - least], number[p.vertices[1] - least], number[p.vertices[2] - least]};
