@@ -9,6 +9,7 @@
 #include <CCSweep/internal/Options.h>
 #include <CCSweep/internal/Pipeline.h>
 #include <CCSweep/internal/guarded.h>
+#include <CCSweep/linking/divide_flat_facets.h>
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/part/check_input.h>
 #include <CCSweep/part/make_part.h>
@@ -116,6 +117,8 @@ class Decomposer {
   // bends of the walls between two layers, then by rows that pass through the vertices of the linking faces, then by
   // more rows, at last by cuts that missed the walls and may be drawn to them from further off.
   Result<Result_type> attempt_refined(const Roles& roles) {
+    const std::optional<Part<Traits>> divided = divide_flat_facets(part_, roles);
+    const Part<Traits>& part = divided ? *divided : part_;
     constexpr std::array<Refinement, 7> refinements{{{},
                                                      {.follows_walls = true},
                                                      {.follows_walls = true, .through_vertices = true},
@@ -127,7 +130,7 @@ class Decomposer {
     for (const Refinement& refinement : refinements) {
       if (failure && !may_mend(refinement, failure->code)) continue;
       Result<Result_type> attempt = guarded([&] {
-        Result_type result = Pipeline<Traits, SegmentIndex, PointIndex, Visitor>(part_, options_, visitor_, run_)(
+        Result_type result = Pipeline<Traits, SegmentIndex, PointIndex, Visitor>(part, options_, visitor_, run_)(
             roles, refinement);
         run_(Stage::verification, [&] { return verified(result); });
         return result;

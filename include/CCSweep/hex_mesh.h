@@ -19,6 +19,7 @@
 #include <CCSweep/internal/Pipeline.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/internal/outer_mesh.h>
+#include <CCSweep/linking/divide_flat_facets.h>
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/volumes/Decomposition.h>
 
@@ -146,8 +147,14 @@ class Hex_pipeline {
       fail(Status_code::invalid_parameter, Stage::hex_mesh, "at this size there would be too many hexahedra");
   }
 
-  // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
   Hex_mesh mesh(const Roles& roles) {
+    if (const std::optional<Part<Traits>> divided = divide_flat_facets(part_, roles))
+      return Hex_pipeline(*divided, options_, policies_, visitor_).mesh_with_layers(roles);
+    return mesh_with_layers(roles);
+  }
+
+  // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
+  Hex_mesh mesh_with_layers(const Roles& roles) {
     constexpr std::array<Refinement, 6> refinements{
         {{}, {.through_vertices = true}, {.times_slabs = 2}, {.times_slabs = 4}, {.reach = 10}, {.reach = 50}}};
     std::optional<Status> failure;
