@@ -9,6 +9,7 @@
 #include <CCSweep/internal/Options.h>
 #include <CCSweep/internal/Pipeline.h>
 #include <CCSweep/internal/guarded.h>
+#include <CCSweep/linking/divide_walls.h>
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/part/check_input.h>
 #include <CCSweep/part/make_part.h>
@@ -114,21 +115,26 @@ class Decomposer {
 
   // A result that fails is never returned; it is refined and tried again, boundedly: first by cuts that follow the
   // bends of the walls between two layers, then by rows that pass through the vertices of the linking faces, then by
-  // more rows, at last by cuts that missed the walls and may be drawn to them from further off.
+  // walls of smaller facets, by more rows, at last by cuts that missed the walls and may be drawn to them from further off.
   Result<Result_type> attempt_refined(const Roles& roles) {
-    constexpr std::array<Refinement, 7> refinements{{{},
+    const std::optional<Part<Traits>> divided = divide_flat_facets(part_, roles);
+    const Part<Traits>& part = divided ? *divided : part_;
+    constexpr std::array<Refinement, 8> refinements{{{},
                                                      {.follows_walls = true},
                                                      {.follows_walls = true, .through_vertices = true},
+                                                     {.follows_walls = true, .divides_walls = true},
                                                      {.follows_walls = true, .times_slabs = 2},
                                                      {.follows_walls = true, .times_slabs = 4},
                                                      {.follows_walls = true, .reach = 10},
                                                      {.follows_walls = true, .reach = 50}}};
+    std::optional<Part<Traits>> finer;
     std::optional<Status> failure;
     for (const Refinement& refinement : refinements) {
       if (failure && !may_mend(refinement, failure->code)) continue;
+      if (refinement.divides_walls && !(finer = divide_walls(part, roles))) continue;
       Result<Result_type> attempt = guarded([&] {
-        Result_type result = Pipeline<Traits, SegmentIndex, PointIndex, Visitor>(part_, options_, visitor_, run_)(
-            roles, refinement);
+        Result_type result = Pipeline<Traits, SegmentIndex, PointIndex, Visitor>(
+            refinement.divides_walls ? *finer : part, options_, visitor_, run_)(roles, refinement);
         run_(Stage::verification, [&] { return verified(result); });
         return result;
       });
@@ -144,11 +150,12 @@ class Decomposer {
         return true;
       case Status_code::projection_folded:
       case Status_code::imprint_failed:  // before there are cuts that could follow anything
-        return refinement.through_vertices || refinement.times_slabs > 1 || refinement.reach > 0;
+        return refinement.through_vertices || refinement.divides_walls || refinement.times_slabs > 1 ||
+               refinement.reach > 0;
       case Status_code::inconsistent_levels:
       case Status_code::cut_failed:
       case Status_code::sub_volume_not_closed:  // by the facets of walls that bend; more rows alone rarely mend that
-        return refinement.through_vertices || refinement.reach > 0;
+        return refinement.through_vertices || refinement.divides_walls || refinement.reach > 0;
       default:
         return false;
     }

@@ -19,6 +19,7 @@
 #include <CCSweep/internal/Pipeline.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/internal/outer_mesh.h>
+#include <CCSweep/linking/divide_walls.h>
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/volumes/Decomposition.h>
 
@@ -146,13 +147,24 @@ class Hex_pipeline {
       fail(Status_code::invalid_parameter, Stage::hex_mesh, "at this size there would be too many hexahedra");
   }
 
-  // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
   Hex_mesh mesh(const Roles& roles) {
-    constexpr std::array<Refinement, 6> refinements{
-        {{}, {.through_vertices = true}, {.times_slabs = 2}, {.times_slabs = 4}, {.reach = 10}, {.reach = 50}}};
+    if (const std::optional<Part<Traits>> divided = divide_flat_facets(part_, roles))
+      return Hex_pipeline(*divided, options_, policies_, visitor_).mesh_with_layers(roles);
+    return mesh_with_layers(roles);
+  }
+
+  // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
+  Hex_mesh mesh_with_layers(const Roles& roles) {
+    constexpr std::array<Refinement, 7> refinements{
+        {{}, {.through_vertices = true}, {.divides_walls = true}, {.times_slabs = 2}, {.times_slabs = 4}, {.reach = 10}, {.reach = 50}}};
+    std::optional<Part<Traits>> finer;
     std::optional<Status> failure;
     for (const Refinement& refinement : refinements) {
-      Result<Hex_mesh> attempt = guarded([&] { return mesh(roles, refinement); });
+      if (refinement.divides_walls && !(finer = divide_walls(part_, roles))) continue;
+      Result<Hex_mesh> attempt = guarded([&] {
+        if (refinement.divides_walls) return Hex_pipeline(*finer, options_, policies_, visitor_).mesh(roles, refinement);
+        return mesh(roles, refinement);
+      });
       if (attempt) return std::move(attempt).value();
       if (!failure || attempt.status().code == Status_code::cancelled) failure = attempt.status();
       if (!is_of_layers(failure->code)) throw Failure{*failure};

@@ -51,6 +51,7 @@ class Stage_runner {
 struct Refinement {
   bool follows_walls = false;     ///< inner columns get vertices where the wall beside them bends
   bool through_vertices = false;  ///< rows pass through the vertices of the linking faces
+  bool divides_walls = false;     ///< as of `divide_walls()`
   int times_slabs = 1;            ///< how many more slabs there are between two levels
   double reach = 0;               ///< how far what was carried up snaps to the surface, in tolerances
 };

@@ -11,6 +11,7 @@
 #include <CCSweep/part/pointed_walls.h>
 #include <CCSweep/part/upright_axis.h>
 #include <CCSweep/part/walk_roles.h>
+#include <CCSweep/part/walls_at_ridges.h>
 
 #include <algorithm>
 #include <map>
@@ -71,10 +72,15 @@ Patch_slope slope(const Part<Traits>& part, Patch_index patch, const Vec3& direc
   return s;
 }
 
+// Steep perhaps, but nowhere along the sweep.
+inline bool is_across(const Patch_slope& s) {
+  return s.low > Role_limits::flattest_cap || s.high < -Role_limits::flattest_cap;
+}
 inline bool is_cap(const Patch_slope& s) {
   return std::abs(s.mean) > Role_limits::steepest_wall &&
-         (s.low > Role_limits::flattest_cap || s.high < -Role_limits::flattest_cap);
+         is_across(s);
 }
+inline Role cap_role(const Patch_slope& s) { return s.mean > 0 ? Role::source : Role::target; }
 inline bool is_wall(const Patch_slope& s) {
   return std::abs(s.mean) <= Role_limits::steepest_wall && s.low >= -Role_limits::steepest_facet &&
          s.high <= Role_limits::steepest_facet;
@@ -86,7 +92,7 @@ void classify_patches(const Part<Traits>& part, Axis_trial& trial) {
     const Patch_slope s = slope(part, Patch_index(p), trial.roles.direction);
     Role role = Role::linking;
     if (is_cap(s)) {
-      role = s.mean > 0 ? Role::source : Role::target;
+      role = cap_role(s);
     } else if (!is_wall(s)) {
       trial.objectionable_area += s.area;
       const int id = part.patch_id[p];
@@ -97,12 +103,27 @@ void classify_patches(const Part<Traits>& part, Axis_trial& trial) {
     } else if (std::max(-s.low, s.high) > Role_limits::steep_wall) {
       trial.roles.is_doubtful = true;
     }
-    if (role == Role::target) {
-      trial.lowest_target = trial.targets == 0 ? part.patch_id[p] : std::min(trial.lowest_target, part.patch_id[p]);
-      ++trial.targets;
-      trial.target_area += s.area;
-    }
     trial.roles.of_patch.push_back(role);
+  }
+}
+
+// Walls that meet in a ridge or at the bottom of a groove, and are not too steep, are caps after all.
+template <class Traits>
+void cap_ridges(const Part<Traits>& part, Axis_trial& trial) {
+  for (Patch_index p : walls_at_ridges(part, trial.roles))
+    if (const Patch_slope s = slope(part, p, trial.roles.direction); is_across(s)) {
+      trial.roles.of_patch[p.value()] = cap_role(s);
+      trial.roles.is_doubtful = true;
+    }
+}
+
+template <class Traits>
+void count_targets(const Part<Traits>& part, Axis_trial& trial) {
+  for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
+    if (trial.roles.of_patch[p] != Role::target) continue;
+    trial.lowest_target = trial.targets == 0 ? part.patch_id[p] : std::min(trial.lowest_target, part.patch_id[p]);
+    ++trial.targets;
+    trial.target_area += part.area_of_patch[p];
   }
 }
 
@@ -143,6 +164,8 @@ Axis_trial try_axis(const Part<Traits>& part, const Vec3& direction) {
   Axis_trial trial;
   trial.roles.direction = direction;
   classify_patches(part, trial);
+  if (trial.objections.empty()) cap_ridges(part, trial);
+  count_targets(part, trial);
   if (trial.objections.empty()) check_curves(part, trial);
   if (trial.objections.empty() && has_pointed_wall(part, trial.roles)) trial.roles.is_doubtful = true;
   auto has = [&](Role role) {
@@ -239,12 +262,9 @@ std::vector<Axis_trial> try_bent_sweeps(const Part<Traits>& part, const Role_req
     if (!roles) continue;
     Axis_trial trial;
     trial.roles = std::move(*roles);
-    for (std::size_t q = 0; q < part.number_of_patches(); ++q) {
-      if (trial.roles.of_patch[q] != Role::target) continue;
-      known_targets.insert(q);
-      if (trial.targets++ == 0) trial.lowest_target = part.patch_id[q];
-      trial.target_area += part.area_of_patch[q];
-    }
+    count_targets(part, trial);
+    for (std::size_t q = 0; q < part.number_of_patches(); ++q)
+      if (trial.roles.of_patch[q] == Role::target) known_targets.insert(q);
     compare_with_request(part, request, trial);
     if (trial.objections.empty()) sweepable.push_back(std::move(trial));
   }
