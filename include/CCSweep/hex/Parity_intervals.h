@@ -21,13 +21,17 @@ namespace CCSweep {
 namespace internal {
 
 /// Chooses which numbers of a problem are odd, so that all its sums are even: by elimination modulo 2, in which the
-/// numbers that bear a change worst are left free, and the others adjust.
+/// numbers that bear a change worst are left free, and the others adjust; those that are given do so last, where there
+/// is no solution.
 class Parity_choice {
  public:
   explicit Parity_choice(const Interval_problem& problem) : n_(problem.wanted.size()), order_(n_) {
     std::iota(order_.begin(), order_.end(), std::size_t(0));
     std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return problem.wanted[a] > problem.wanted[b]; });
+                     [&](std::size_t a, std::size_t b) {
+                       return std::pair(problem.is_given(b), problem.wanted[a]) >
+                              std::pair(problem.is_given(a), problem.wanted[b]);
+                     });
     for (const auto* rows : {&problem.equal, &problem.even})
       for (const Interval_problem::Row& row : *rows) {
         auto& bits = rows_.emplace_back(n_);
@@ -104,10 +108,10 @@ class Interval_search {
       return;
     }
     const auto nearest = static_cast<long>(std::lround(problem_.wanted[i]));
-    for (long step = 0; patience_ > 0; ++step) {
+    const long most = problem_.is_given(i) ? 1 : std::numeric_limits<long>::max();  // of steps
+    for (long step = 0; patience_ > 0 && step < most; ++step) {
       double least_of_step = std::numeric_limits<double>::infinity();
       for (long value : {nearest - step, nearest + step}) {
-        if (step == 0 && value != nearest) continue;
         const double price = std::abs(double(value) - problem_.wanted[i]) / std::max(problem_.wanted[i], 1.0);
         least_of_step = std::min(least_of_step, spent + price);
         if (value < static_cast<long>(problem_.least[i]) || spent + price >= best_cost_ - 1e-9) continue;
@@ -170,7 +174,7 @@ class Parity_intervals {
         if (sum == 0) continue;
         std::size_t grows = intervals.size();
         for (const auto& [i, c] : row)
-          if (std::abs(c) == 1 && (c < 0) == (sum > 0) &&
+          if (std::abs(c) == 1 && (c < 0) == (sum > 0) && !problem.is_given(i) &&
               (grows == intervals.size() || problem.wanted[i] > problem.wanted[grows]))
             grows = i;
         if (grows == intervals.size()) return false;
