@@ -103,12 +103,12 @@ class Hex_pipeline {
   // All sub-volumes by one sweep; then, as the paper does after decomposing (3.1), those that it does not suit by sweeps
   // of their own.
   Hex_mesh mesh(const Roles& roles, const Refinement& refinement) {
-    constexpr double good = 0.4;
-    const Swept_layers<Traits> swept = sweep_along(roles, refinement, {});
+    constexpr double good = 0.95;
+    Swept_layers<Traits> swept = sweep_along(roles, refinement, {});
     Hex_mesh mesh = mesh_of(roles, swept, {});
     const std::vector<double> least = least_by_volume(mesh);
     if (least.size() < 2 || *std::min_element(least.begin(), least.end()) >= good) return mesh;
-    const auto cut_up = guarded([&] { return cut(part_, roles, swept, false, run_); });
+    const auto cut_up = guarded([&] { return cut(part_, roles, std::move(swept), false, run_); });
     for (std::size_t v = 0; cut_up && v < least.size(); ++v)
       if (least[v] < good) sweep_anew(cut_up.value().volumes[v], static_cast<int>(v), least[v], mesh);
     return mesh;

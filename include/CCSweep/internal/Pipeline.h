@@ -82,14 +82,13 @@ Swept_layers<Traits> sweep(const Part<Traits>& part, const Roles& roles, const L
 /// \param follows_walls as of `Refinement`
 template <class Traits, class Visitor>
 Decomposition<typename Traits::Point_3> cut(const Part<Traits>& part, const Roles& roles,
-                                            const Swept_layers<Traits>& swept, bool follows_walls,
+                                            Swept_layers<Traits> swept, bool follows_walls,
                                             Stage_runner<Visitor>& run) {
-  const auto& [layering, loops] = swept;
-  const auto rows = run(Stage::decomposition_sets, [&] { return make_cut_rows(part, layering, loops); });
+  const auto rows = run(Stage::decomposition_sets, [&] { return make_cut_rows(part, swept.layering, swept.loops); });
   return run(Stage::sub_volumes, [&] {
     return guarded([&] {
-      const auto surface = value_or_fail(draw_cuts(part, roles, loops, rows, follows_walls));
-      return value_or_fail(make_sub_volumes(part, roles, layering, loops, rows, surface));
+      const auto surface = value_or_fail(draw_cuts(part, roles, swept.loops, rows, follows_walls));
+      return value_or_fail(make_sub_volumes(part, roles, swept.layering, swept.loops, rows, surface));
     });
   });
 }
@@ -108,9 +107,9 @@ class Pipeline {
     layers.through_vertices = refinement.through_vertices;
     layers.slabs *= refinement.times_slabs;
     const double tolerance = options_.tolerance * part_.diagonal;
-    const auto swept = sweep<Traits, SegmentIndex, PointIndex>(part_, roles, layers, tolerance, refinement.reach,
+    auto swept = sweep<Traits, SegmentIndex, PointIndex>(part_, roles, layers, tolerance, refinement.reach,
                                                                options_.neighbours, visitor_, run_);
-    Decomposition<Point_3> result = cut(part_, roles, swept, refinement.follows_walls, run_);
+    Decomposition<Point_3> result = cut(part_, roles, std::move(swept), refinement.follows_walls, run_);
     result.tolerance = tolerance;
     return result;
   }
