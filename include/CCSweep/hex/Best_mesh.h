@@ -51,6 +51,9 @@ class Best_mesh {
     return quality_ >= good_;
   }
 
+  /// The least scaled Jacobian of the mesh that is kept; 0 if there is none.
+  double quality() const { return quality_; }
+
   Hex_mesh take() {
     if (!mesh_) throw Failure{*first_failure_};
     return std::move(*mesh_);

@@ -103,15 +103,25 @@ class Hex_pipeline {
   // All sub-volumes by one sweep; then, as the paper does after decomposing (3.1), those that it does not suit by sweeps
   // of their own.
   Hex_mesh mesh(const Roles& roles, const Refinement& refinement) {
-    constexpr double good = 0.95;
     Swept_layers<Traits> swept = sweep_along(roles, refinement, {});
     Hex_mesh mesh = mesh_of(roles, swept, {});
     const std::vector<double> least = least_by_volume(mesh);
     if (least.size() < 2 || *std::min_element(least.begin(), least.end()) >= good) return mesh;
-    const auto cut_up = guarded([&] { return cut(part_, roles, std::move(swept), false, run_); });
-    for (std::size_t v = 0; cut_up && v < least.size(); ++v)
-      if (least[v] < good) sweep_anew(cut_up.value().volumes[v], static_cast<int>(v), least[v], mesh);
+    const auto cut_up = guarded([&] { return cut(part_, roles, std::move(swept), refinement.follows_walls, run_); });
+    if (!is_made(cut_up)) return mesh;
+    for (const Volume& volume : cut_up.value().volumes) {
+      const auto target = std::find(mesh.targets.begin(), mesh.targets.end(), volume.target);
+      const auto v = static_cast<std::size_t>(target - mesh.targets.begin());
+      if (v < least.size() && least[v] < good) sweep_anew(volume, v, least[v], mesh);
+    }
     return mesh;
+  }
+
+  // What can be done without may fail, but not go on after the call was cancelled.
+  template <class T>
+  static bool is_made(const Result<T>& result) {
+    if (!result && result.status().code == Status_code::cancelled) throw Failure{result.status()};
+    return result.ok();
   }
 
   Swept_layers<Traits> sweep_along(const Roles& roles, const Refinement& refinement, std::vector<double> through) {
@@ -138,28 +148,31 @@ class Hex_pipeline {
 
   // Replaces the mesh of a sub-volume by the best one of those in other directions, if it is better. Straight sweeps
   // along the cuts can keep the nodes there, so that the whole stays conformal.
-  void sweep_anew(const Volume& volume, int number, double least, Hex_mesh& whole) {
+  void sweep_anew(const Volume& volume, std::size_t number, double least, Hex_mesh& whole) {
     constexpr double gain = 0.01;
-    const auto patch = volume.mesh.template property_map<typename Volume::Mesh::Face_index, int>(Volume::patch_id_map);
-    const auto part = make_part<Traits>(volume.mesh, volume.mesh.points(), patch.first);
+    using Face = typename Volume::Mesh::Face_index;
+    const auto patch = volume.mesh.template property_map<Face, int>(Volume::patch_id_map).first;
+    const auto part = make_part<Traits>(volume.mesh, volume.mesh.points(), patch);
     if (!part) return;
-    const std::set<int> cuts = cuts_of(volume);
-    const std::vector<Hex_face> shared = shared_faces(whole, number);
-    const Volume_replacer replacer(whole, number, shared);
     Options options = options_;
     options.roles = {};
     Hex_pipeline sweeper(part.value(), options, policies_, visitor_);
-    std::optional<Hex_mesh> best;
-    for (const Roles& roles : sweeper.roles_along(cuts, whole.directions[number])) {
-      Result<Hex_mesh> made = guarded([&] { return sweeper.mesh_beside(roles, whole, shared, cuts); });
-      if (!made && made.status().code == Status_code::cancelled) throw Failure{made.status()};
-      if (!made || !replacer.fits(made.value(), cuts)) continue;
-      if (const double quality = least_quality(made.value()); quality > least + gain) {
-        least = quality;
-        best = std::move(made).value();
-      }
+    const std::set<int> cuts = cuts_of(volume);
+    const std::vector<Roles> candidates = sweeper.roles_along(cuts, whole.directions[number]);
+    if (candidates.empty()) return;
+    const std::vector<Hex_face> shared = shared_faces(whole, static_cast<int>(number));
+    const Volume_replacer replacer(whole, static_cast<int>(number), shared);
+    Best_mesh best(good);
+    for (const Roles& roles : candidates) {
+      const bool will_do = best.show(guarded([&] {
+        Hex_mesh made = sweeper.mesh_beside(roles, whole, shared, cuts);
+        if (!replacer.fits(made, cuts))
+          fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "not all nodes on the cuts could be kept");
+        return made;
+      }));
+      if (will_do) break;
     }
-    if (best) whole = replacer.with(*best, cuts);
+    if (best.quality() > least + gain) whole = replacer.with(best.take(), cuts);
   }
 
   static std::set<int> cuts_of(const Volume& volume) {
@@ -203,6 +216,9 @@ class Hex_pipeline {
     const Given_nodes given(nodes, cuts, roles.direction, tolerance);
     return mesh_of(roles, sweep_along(roles, {}, given.heights()), given);
   }
+
+  // The scaled Jacobian from which on no other direction is looked for.
+  static constexpr double good = 0.8;
 
   double tolerance() const { return options_.tolerance * part_.diagonal; }
 
