@@ -90,7 +90,7 @@ CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qua
                                {"minimum_place", place_of(mesh, static_cast<std::size_t>(worst - qualities.begin()))},
                                {"mean", sum / static_cast<double>(qualities.size())},
                                {"histogram", histogram(qualities)},
-                               {"allowed_by_angles", make_report(mesh.tightest)}};
+                               {"allowed_by_angles", make_report(tightest_bound(mesh))}};
   report["seconds"] = {{name(Stage::hex_mesh), seconds}};
   return report;
 }

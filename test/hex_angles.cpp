@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_sharp_corner_is_named_and_used_up) {
   const Mesh part = prism({{0, 0}, {x, -y}, {x + 1, 0}, {x, y}});
   const auto found = hex_checks::mesh(part, {0, 0, 1}, 0.5);
   expect_sound(found, hex_checks::volume_within(part), 1e-6);
-  const CCSweep::Angle_bound& bound = found.value().tightest;
+  const CCSweep::Angle_bound bound = tightest_bound(found.value());
   BOOST_TEST(std::abs(bound.scaled_jacobian - std::sin(tip)) < 1e-9);
   BOOST_TEST(std::abs(bound.angle - 9) < 1e-9);
   BOOST_TEST(bound.place[0] == 0);
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(a_sharp_corner_is_named_and_used_up) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_in_the_way_of_a_brick) {
   const auto found = hex_checks::mesh(prism({{0, 0}, {4, 0}, {4, 3}, {0, 3}}), {0, 0, 1}, 1);
-  BOOST_TEST(found.value().tightest.scaled_jacobian > 1 - 1e-9);
+  BOOST_TEST(tightest_bound(found.value()).scaled_jacobian > 1 - 1e-9);
 }
 
 // Bosses above and below whose outlines lie 0.02 apart: swept along the bosses, edges of 2 stand beside edges of 0.02.

@@ -49,7 +49,7 @@ std::optional<double> least_cost(const Interval_problem& problem, std::size_t bo
   return best;
 }
 
-// A few curves with sides that must agree and outlines that must be even.
+// A few curves with sides that must agree and outlines that must be even; the number of one may be given.
 Interval_problem random_problem(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto below = [&](std::uint32_t n) { return random() % n; };
@@ -65,6 +65,11 @@ Interval_problem random_problem(std::uint32_t seed) {
     for (std::size_t i = 0; i < 6; ++i)
       if (below(2) == 0) terms.push_back({i, 1});
     problem.even.push_back(terms);
+  }
+  if (const std::uint32_t i = below(12); i < 6) {
+    problem.given.assign(6, false);
+    problem.given[i] = true;
+    problem.wanted[i] = std::round(problem.wanted[i]) + 1;
   }
   return problem;
 }

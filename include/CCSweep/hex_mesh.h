@@ -5,45 +5,26 @@
 
 #include <CCSweep/Status.h>
 #include <CCSweep/concepts.h>
-#include <CCSweep/hex/Cap_drop.h>
+#include <CCSweep/hex/Best_mesh.h>
 #include <CCSweep/hex/Hex_mesh.h>
-#include <CCSweep/hex/Layer_stack.h>
 #include <CCSweep/hex/Parity_intervals.h>
-#include <CCSweep/hex/make_arc_stack.h>
-#include <CCSweep/hex/make_hex_mesh.h>
 #include <CCSweep/hex/mesh_quads.h>
-#include <CCSweep/hex/quality.h>
 #include <CCSweep/hex/sizing.h>
+#include <CCSweep/internal/Hex_pipeline.h>
 #include <CCSweep/internal/Input.h>
 #include <CCSweep/internal/Options.h>
-#include <CCSweep/internal/Pipeline.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/internal/outer_mesh.h>
-#include <CCSweep/linking/divide_walls.h>
-#include <CCSweep/part/assign_roles.h>
 #include <CCSweep/volumes/Decomposition.h>
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CCSweep {
 namespace internal {
-
-/// The policies of a call.
-template <class Sizing, class Solver, class Quads>
-struct Hex_policies {
-  Sizing sizing;
-  Solver solver;
-  Quads mesh_quads;
-};
 
 inline Patch_sizes to_sizing(double size) { return size; }
 template <SizingField Sizing>
@@ -51,44 +32,6 @@ template <SizingField Sizing>
 Sizing to_sizing(const Sizing& sizing) {
   return sizing;
 }
-
-/// The least scaled Jacobian of a mesh.
-inline double least_quality(const Hex_mesh& mesh) {
-  const std::vector<double> quality = scaled_jacobians(mesh);
-  return *std::min_element(quality.begin(), quality.end());
-}
-
-/// Keeps the mesh with the best worst hexahedron of those it is shown; if there is none, the first failure.
-class Best_mesh {
- public:
-  /// \param good what makes further meshes needless
-  explicit Best_mesh(double good) : good_(good) {}
-
-  /// \return whether it is so good that no other one is needed
-  bool show(Result<Hex_mesh> result) {
-    if (!result) {
-      if (result.status().code == Status_code::cancelled) throw Failure{result.status()};
-      if (!first_failure_) first_failure_ = result.status();
-      return false;
-    }
-    if (const double quality = least_quality(result.value()); !mesh_ || quality > quality_) {
-      quality_ = quality;
-      mesh_ = std::move(result).value();
-    }
-    return quality_ >= good_;
-  }
-
-  Hex_mesh take() {
-    if (!mesh_) throw Failure{*first_failure_};
-    return std::move(*mesh_);
-  }
-
- private:
-  double good_;
-  std::optional<Hex_mesh> mesh_;
-  double quality_ = 0;
-  std::optional<Status> first_failure_;
-};
 
 /// The direction in which a sub-volume leads away from its target.
 template <class Point>
@@ -109,107 +52,6 @@ std::array<double, 3> direction_of(const Sub_volume<Point>& volume) {
   }
   return sum;
 }
-
-/// Tries the possible roles, those first that look best, till one gives a mesh that will do; else takes the best.
-template <class Traits, class SegmentIndex, class PointIndex, class Visitor, class Policies>
-class Hex_pipeline {
- public:
-  Hex_pipeline(const Part<Traits>& part, const Options& options, const Policies& policies, Visitor& visitor)
-      : part_(part), options_(options), policies_(policies), size_(policies.sizing.on_part()), visitor_(visitor),
-        run_(visitor) {}
-
-  Hex_mesh operator()() {
-    check_size();
-    const std::vector<Roles> candidates =
-        run_(Stage::roles, [&] { return assign_roles(part_, options_.roles); });
-    if (candidates.size() == 1) return mesh(candidates[0]);
-    constexpr double acceptable = 0.2;
-    Best_mesh best(acceptable);
-    for (const Roles& roles : candidates)
-      if (best.show(guarded([&] { return mesh(roles); }))) break;
-    return best.take();
-  }
-
- private:
-  // Far more hexahedra than fit a computer are a slip of the pen, not a wish.
-  void check_size() const {
-    constexpr double most = 5e7;
-    if (!policies_.sizing.are_valid() || !std::isfinite(size_) || !(size_ > 0))
-      fail(Status_code::invalid_parameter, Stage::hex_mesh, "every size must be a number above 0");
-    const double smallest = size_between(policies_.sizing, part_.patch_id);
-    double volume = 0;
-    for (auto f : part_.mesh.faces()) {
-      const auto h = part_.mesh.halfedge(f);
-      volume += dot(part_.coordinates(part_.mesh.source(h)) - part_.coordinates(*part_.mesh.vertices().begin()),
-                    part_.area[f] * part_.normal[f]) / 3;
-    }
-    if (!(volume / size_ / size_ / size_ <= most) || !(part_.diagonal / smallest <= std::sqrt(most)))
-      fail(Status_code::invalid_parameter, Stage::hex_mesh, "at this size there would be too many hexahedra");
-  }
-
-  Hex_mesh mesh(const Roles& roles) {
-    if (const std::optional<Part<Traits>> divided = divide_flat_facets(part_, roles))
-      return Hex_pipeline(*divided, options_, policies_, visitor_).mesh_with_layers(roles);
-    return mesh_with_layers(roles);
-  }
-
-  // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
-  Hex_mesh mesh_with_layers(const Roles& roles) {
-    constexpr std::array<Refinement, 7> refinements{
-        {{}, {.through_vertices = true}, {.divides_walls = true}, {.times_slabs = 2}, {.times_slabs = 4}, {.reach = 10}, {.reach = 50}}};
-    std::optional<Part<Traits>> finer;
-    std::optional<Status> failure;
-    for (const Refinement& refinement : refinements) {
-      if (refinement.divides_walls && !(finer = divide_walls(part_, roles))) continue;
-      Result<Hex_mesh> attempt = guarded([&] {
-        if (refinement.divides_walls) return Hex_pipeline(*finer, options_, policies_, visitor_).mesh(roles, refinement);
-        return mesh(roles, refinement);
-      });
-      if (attempt) return std::move(attempt).value();
-      if (!failure || attempt.status().code == Status_code::cancelled) failure = attempt.status();
-      if (!is_of_layers(failure->code)) throw Failure{*failure};
-    }
-    if (failure->stage == Stage::hex_mesh) failure->code = Status_code::hex_mesh_failed;
-    throw Failure{*failure};
-  }
-
-  static bool is_of_layers(Status_code code) {
-    return code == Status_code::projection_folded || code == Status_code::imprint_failed ||
-           code == Status_code::inconsistent_levels;
-  }
-
-  Hex_mesh mesh(const Roles& roles, const Refinement& refinement) {
-    Layering_options layers = options_.layering;
-    layers.spacing = size_;
-    layers.through_vertices = refinement.through_vertices;
-    layers.slabs *= refinement.times_slabs;
-    const double tolerance = options_.tolerance * part_.diagonal;
-    const Layering layering = run_(Stage::layers, [&] { return make_layering(part_, roles, layers); });
-    const Wall_sections sections =
-        run_(Stage::linking_mesh, [&] { return make_wall_sections(part_, roles, layering); });
-    const Layered_loops<Traits> loops = run_(Stage::loop_faces, [&] {
-      return sweep_layers<Traits, SegmentIndex, PointIndex>(part_, roles, layering, sections, tolerance,
-                                                            options_.neighbours, visitor_,
-                                                            refinement.reach * tolerance);
-    });
-    return run_(Stage::hex_mesh, [&] {
-      return guarded([&] {
-        const Layer_stack stack = make_layer_stack(layering, loops, roles.is_straight(), tolerance);
-        const Cap_drop<Traits> drop(part_);
-        const Arc_stack arcs = make_arc_stack(stack, drop);
-        return make_hex_mesh(stack, arcs, part_.patch_id, drop, policies_.sizing, policies_.solver,
-                             policies_.mesh_quads);
-      });
-    });
-  }
-
-  const Part<Traits>& part_;
-  const Options& options_;
-  const Policies& policies_;
-  double size_;
-  Visitor& visitor_;
-  Stage_runner<Visitor> run_;
-};
 
 template <class T>
 inline constexpr bool is_decomposition = false;

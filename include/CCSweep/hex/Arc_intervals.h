@@ -36,6 +36,7 @@ class Arc_intervals {
     wanted_.assign(number_of_classes_, 0);
     least_.assign(number_of_classes_, 1);
     must_be_even_.assign(number_of_classes_, false);
+    is_given_.assign(number_of_classes_, false);
     for (std::size_t k = 0; k < arcs.arcs.size(); ++k) {
       std::map<std::pair<Arc_stack::Node, Arc_stack::Node>, std::size_t> between;
       for (const auto& arc : arcs.arcs[k]) ++between[std::minmax(arc.from, arc.to)];
@@ -57,7 +58,7 @@ class Arc_intervals {
   /// \param turns by cell, as of `cell_turns()`
   template <IntervalSolver Solver>
   void solve(const std::vector<Cell>& cells, const std::vector<std::vector<int>>& turns, const Solver& solver) {
-    Interval_problem problem{wanted_, least_, {}, {}};
+    Interval_problem problem{wanted_, least_, {}, {}, is_given_};
     for (std::size_t c = 0; c < number_of_classes_; ++c)
       if (must_be_even_[c]) problem.even.push_back({{c, 1}});
     std::vector<std::array<Interval_problem::Row, 2>> structured;
@@ -76,11 +77,24 @@ class Arc_intervals {
 
   std::size_t operator()(std::size_t layer, Half_arc h) const { return intervals_[arc_class(layer, h)]; }
 
+  /// Fixes the number on an arc, whatever else may be asked for.
+  void give(std::size_t layer, Half_arc h, std::size_t count) {
+    const std::size_t c = arc_class(layer, h);
+    is_given_[c] = true;
+    wanted_[c] = double(count);
+    least_[c] = count;
+  }
+
   /// Asks for twice as many intervals on all arcs of a class.
-  void refine(std::size_t arc_class) { wanted_[arc_class] *= 2; }
+  void refine(std::size_t arc_class) {
+    if (!is_given_[arc_class]) wanted_[arc_class] *= 2;
+  }
 
   /// Asks for an even number.
-  void make_even(std::size_t layer, Half_arc h) { must_be_even_[arc_class(layer, h)] = true; }
+  void make_even(std::size_t layer, Half_arc h) {
+    const std::size_t c = arc_class(layer, h);
+    must_be_even_[c] = !is_given_[c];
+  }
 
   std::size_t arc_class(std::size_t layer, Half_arc h) const { return class_of_[first_[layer] + Arc_stack::arc_of(h)]; }
 
@@ -167,7 +181,7 @@ class Arc_intervals {
   std::vector<std::size_t> class_of_;  // by arc of all layers
   std::vector<double> wanted_;         // by class
   std::vector<std::size_t> least_;
-  std::vector<bool> must_be_even_;
+  std::vector<bool> must_be_even_, is_given_;
   Intervals intervals_;
 };
 

@@ -41,6 +41,13 @@ class Arc_nodes {
     return nodes;
   }
 
+  /// The nodes of an arc, both ends included.
+  std::vector<std::uint32_t> on(std::size_t layer, Half_arc h) {
+    std::vector<std::uint32_t> nodes = around(layer, {h});
+    nodes.push_back(junction(arcs_.target(layer, h)));
+    return nodes;
+  }
+
   bool is_used(std::size_t layer, Half_arc h) const { return first_of_arc_[layer][Arc_stack::arc_of(h)] != none; }
 
   std::vector<Vec3> points;

@@ -8,6 +8,7 @@
 #include <CCSweep/hex/Cell_stack.h>
 #include <CCSweep/hex/Quad_region.h>
 #include <CCSweep/hex/even_heights.h>
+#include <CCSweep/hex/given_arcs.h>
 #include <CCSweep/hex/plane.h>
 
 #include <algorithm>
@@ -26,8 +27,10 @@ class Cell_outlines {
 
   /// \param intervals must live as long as this
   /// \param drop as in `make_arc_stack()`
+  /// \param given arcs whose nodes are known
   template <class CapDrop>
-  Cell_outlines(const Cell_stack& stack, const Arc_intervals& intervals, const CapDrop& drop)
+  Cell_outlines(const Cell_stack& stack, const Arc_intervals& intervals, const CapDrop& drop,
+                const std::vector<Given_arc>& given = {})
       : stack_(&stack), intervals_(&intervals), numbers_(stack.cells.size()) {
     Arc_nodes<CapDrop> nodes(stack.layers, stack.arcs, intervals, drop);
     for (std::size_t c = 0; c < stack.cells.size(); ++c) {
@@ -39,6 +42,7 @@ class Cell_outlines {
       }
     }
     if (stack.layers.is_straight) Even_heights(stack.layers, stack.arcs, nodes).run();
+    give_nodes(given, nodes);
     points_ = std::move(nodes.points);
   }
 

@@ -29,8 +29,10 @@ class Program_intervals {
     const std::size_t n = problem.wanted.size();
     std::vector<Variable*> count;
     for (std::size_t i = 0; i < n; ++i) {
-      const double bound = 10 + std::ceil(3 * std::max(double(problem.least[i]), problem.wanted[i]));
-      count.push_back(program.create_variable(Variable::INTEGER, double(problem.least[i]), bound, name("n", i)));
+      const bool is_given = problem.is_given(i);
+      const double least = is_given ? problem.wanted[i] : double(problem.least[i]);
+      const double most_of_it = is_given ? least : 10 + std::ceil(3 * std::max(least, problem.wanted[i]));
+      count.push_back(program.create_variable(Variable::INTEGER, least, most_of_it, name("n", i)));
       Variable* stray = program.create_variable(Variable::CONTINUOUS, 0, most, name("d", i));
       for (double sign : {1.0, -1.0}) {  // stray >= sign * (count - wanted)
         auto* row = program.create_constraint(-sign * problem.wanted[i], most);

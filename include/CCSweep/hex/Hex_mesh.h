@@ -5,6 +5,7 @@
 
 #include <CCSweep/volumes/Decomposition.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -37,9 +38,18 @@ struct Hex_mesh {
   std::vector<std::array<std::uint32_t, 8>> hexes;  ///< nodes in VTK's order: the bottom quad, then the top one
   std::vector<int> volume;                          ///< by hexahedron: index of the sub-volume
   std::vector<int> targets;                         ///< by sub-volume: id of its target patch
+  std::vector<std::array<double, 3>> directions;    ///< by sub-volume: in which it was swept, at its target
   std::vector<Boundary_quad> boundary;
-  Angle_bound tightest;  ///< of the bounds at all nodes on the outlines of caps, before nodes inside caps are moved
+  std::vector<Angle_bound> bounds;  ///< by sub-volume: the tightest on the outlines of its caps
 };
+
+/// The tightest of the bounds that the angles of a part and of its imprint set, before nodes inside caps are moved.
+inline Angle_bound tightest_bound(const Hex_mesh& mesh) {
+  const auto tightest = std::min_element(mesh.bounds.begin(), mesh.bounds.end(), [](const auto& a, const auto& b) {
+    return a.scaled_jacobian < b.scaled_jacobian;
+  });
+  return tightest == mesh.bounds.end() ? Angle_bound() : *tightest;
+}
 
 }  // namespace CCSweep
 

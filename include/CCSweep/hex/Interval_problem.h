@@ -24,6 +24,9 @@ struct Interval_problem {
   std::vector<std::size_t> least;   ///< by curve, at least 1
   std::vector<Row> equal;           ///< sums that must vanish: the opposite sides of a structured mesh
   std::vector<Row> even;            ///< sums that must be even: the outline of an all-quad mesh
+  std::vector<bool> given = {};     ///< by curve: only the number wanted, a whole one, will do; empty where all are free
+
+  bool is_given(std::size_t curve) const { return !given.empty() && given[curve]; }
 };
 
 /// The numbers of a solution, by curve.
@@ -45,7 +48,8 @@ inline bool is_solution(const Interval_problem& problem, const Intervals& interv
     return s;
   };
   for (std::size_t i = 0; i < intervals.size(); ++i)
-    if (intervals[i] < problem.least[i]) return false;
+    if (intervals[i] < problem.least[i] || (problem.is_given(i) && double(intervals[i]) != problem.wanted[i]))
+      return false;
   return std::all_of(problem.equal.begin(), problem.equal.end(), [&](const auto& row) { return sum(row) == 0; }) &&
          std::all_of(problem.even.begin(), problem.even.end(), [&](const auto& row) { return sum(row) % 2 == 0; });
 }

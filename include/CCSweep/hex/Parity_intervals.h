@@ -21,13 +21,15 @@ namespace CCSweep {
 namespace internal {
 
 /// Chooses which numbers of a problem are odd, so that all its sums are even: by elimination modulo 2, in which the
-/// numbers that bear a change worst are left free, and the others adjust.
+/// numbers that bear a change worst are left free, and the others adjust; those that are given do so last, where there
+/// is no solution.
 class Parity_choice {
  public:
   explicit Parity_choice(const Interval_problem& problem) : n_(problem.wanted.size()), order_(n_) {
     std::iota(order_.begin(), order_.end(), std::size_t(0));
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return problem.wanted[a] > problem.wanted[b]; });
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair(problem.is_given(b), problem.wanted[a]) > std::pair(problem.is_given(a), problem.wanted[b]);
+    });
     for (const auto* rows : {&problem.equal, &problem.even})
       for (const Interval_problem::Row& row : *rows) {
         auto& bits = rows_.emplace_back(n_);
@@ -104,10 +106,10 @@ class Interval_search {
       return;
     }
     const auto nearest = static_cast<long>(std::lround(problem_.wanted[i]));
-    for (long step = 0; patience_ > 0; ++step) {
+    const long most = problem_.is_given(i) ? 1 : std::numeric_limits<long>::max();  // of steps
+    for (long step = 0; patience_ > 0 && step < most; ++step) {
       double least_of_step = std::numeric_limits<double>::infinity();
       for (long value : {nearest - step, nearest + step}) {
-        if (step == 0 && value != nearest) continue;
         const double price = std::abs(double(value) - problem_.wanted[i]) / std::max(problem_.wanted[i], 1.0);
         least_of_step = std::min(least_of_step, spent + price);
         if (value < static_cast<long>(problem_.least[i]) || spent + price >= best_cost_ - 1e-9) continue;
@@ -158,8 +160,8 @@ class Parity_intervals {
     return k - 1 >= problem.least[i] && double(k) > problem.wanted[i] ? k - 1 : k + 1;
   }
 
-  // The side that is too short grows, at its longest curve. A change in one row reaches others, so this goes on till
-  // nothing changes, boundedly.
+  // The side that is too short grows, at its longest curve; if all its curves are given, the other one shrinks. A change
+  // in one row reaches others, so this goes on till nothing changes, boundedly.
   static bool even_out(const Interval_problem& problem, Intervals& intervals) {
     constexpr int passes = 40;
     for (int pass = 0; pass < passes; ++pass) {
@@ -168,18 +170,37 @@ class Parity_intervals {
         long sum = 0;
         for (const auto& [i, c] : row) sum += c * static_cast<long>(intervals[i]);
         if (sum == 0) continue;
-        std::size_t grows = intervals.size();
-        for (const auto& [i, c] : row)
-          if (std::abs(c) == 1 && (c < 0) == (sum > 0) &&
-              (grows == intervals.size() || problem.wanted[i] > problem.wanted[grows]))
-            grows = i;
-        if (grows == intervals.size()) return false;
-        intervals[grows] += static_cast<std::size_t>(std::abs(sum));
+        if (!grow(problem, row, sum, intervals) && !shrink(problem, row, sum, intervals)) return false;
         changed = true;
       }
       if (!changed) return is_solution(problem, intervals);
     }
     return false;
+  }
+
+  static bool grow(const Interval_problem& problem, const Interval_problem::Row& row, long sum, Intervals& intervals) {
+    std::size_t longest = intervals.size();
+    for (const auto& [i, c] : row)
+      if (std::abs(c) == 1 && (c < 0) == (sum > 0) && !problem.is_given(i) &&
+          (longest == intervals.size() || problem.wanted[i] > problem.wanted[longest]))
+        longest = i;
+    if (longest == intervals.size()) return false;
+    intervals[longest] += static_cast<std::size_t>(std::abs(sum));
+    return true;
+  }
+
+  // By an even number, as sums that must be even are so already.
+  static bool shrink(const Interval_problem& problem, const Interval_problem::Row& row, long sum,
+                     Intervals& intervals) {
+    std::size_t most_to_spare = intervals.size();
+    const auto spare = [&](std::size_t i) { return (intervals[i] - problem.least[i]) / 2 * 2; };
+    for (const auto& [i, c] : row)
+      if (std::abs(c) == 1 && (c > 0) == (sum > 0) && !problem.is_given(i) &&
+          (most_to_spare == intervals.size() || spare(i) > spare(most_to_spare)))
+        most_to_spare = i;
+    if (most_to_spare == intervals.size() || spare(most_to_spare) == 0) return false;
+    intervals[most_to_spare] -= std::min(spare(most_to_spare), static_cast<std::size_t>(std::abs(sum)));
+    return true;
   }
 };
 

@@ -64,18 +64,12 @@ class Even_heights {
     return chain;
   }
 
-  std::vector<std::uint32_t> nodes_on(std::size_t k, Half_arc h) const {
-    std::vector<std::uint32_t> nodes = nodes_.around(k, {h});
-    nodes.push_back(nodes_.around(k, {Arc_stack::opposite(h)})[0]);
-    return nodes;
-  }
-
   void mark_surface() {
     on_surface_.assign(nodes_.points.size(), false);
     for (std::size_t k = 0; k < arcs_.arcs.size(); ++k)
       for (std::size_t a = 0; a < arcs_.arcs[k].size(); ++a)
         if (const auto h = static_cast<Half_arc>(2 * a); nodes_.is_used(k, h) && !is_inside(k, h))
-          for (std::uint32_t n : nodes_on(k, h)) on_surface_[n] = true;
+          for (std::uint32_t n : nodes_.on(k, h)) on_surface_[n] = true;
   }
 
   Column column_of_end(const Chain& chain, bool at_end) const {
@@ -108,7 +102,7 @@ class Even_heights {
   void even_out(const Chain& chain) {
     const std::size_t n = chain.halves.size();
     std::vector<std::vector<std::uint32_t>> rows;
-    for (std::size_t i = 0; i < n; ++i) rows.push_back(nodes_on(chain.layer(i), chain.halves[i]));
+    for (std::size_t i = 0; i < n; ++i) rows.push_back(nodes_.on(chain.layer(i), chain.halves[i]));
     const Column first = column_of_end(chain, false), last = column_of_end(chain, true);
     for (std::size_t p = 1; p + 1 < rows[0].size(); ++p) {
       const double s = double(p) / double(rows[0].size() - 1);

@@ -10,6 +10,7 @@
 #include <CCSweep/hex/Cell_mesher.h>
 #include <CCSweep/hex/Cell_outlines.h>
 #include <CCSweep/hex/Cell_stack.h>
+#include <CCSweep/hex/Given_nodes.h>
 #include <CCSweep/hex/Hex_builder.h>
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/Layer_stack.h>
@@ -17,6 +18,7 @@
 #include <CCSweep/hex/bound_by_angles.h>
 #include <CCSweep/hex/certify.h>
 #include <CCSweep/hex/change_intervals.h>
+#include <CCSweep/hex/given_arcs.h>
 #include <CCSweep/hex/mesh_quads.h>
 #include <CCSweep/hex/sizing.h>
 #include <CCSweep/hex/smooth_hexes.h>
@@ -36,15 +38,18 @@ template <class CapDrop, SizingField Sizing, IntervalSolver Solver, QuadMesher Q
 class Hex_mesher {
  public:
   Hex_mesher(const Layer_stack& layers, const Arc_stack& arcs, const std::vector<int>& patch_id, const CapDrop& drop,
-             const Sizing& sizing, const Solver& solver, const Quads& mesh_quads)
-      : stack_(layers, arcs, patch_id), drop_(drop), sizing_(sizing), solver_(solver), mesh_quads_(mesh_quads) {}
+             const Sizing& sizing, const Solver& solver, const Quads& mesh_quads, const Given_nodes& given)
+      : stack_(layers, arcs, patch_id), given_(given_arcs(stack_, given)), drop_(drop), sizing_(sizing),
+        solver_(solver), mesh_quads_(mesh_quads) {}
 
   /// The best mesh of a few tries: bad cells get even numbers of intervals, so that they can be subdivided; then
   /// smaller quads inside them; then more intervals. More hexahedra must be worth it.
   Hex_mesh run() {
     constexpr double whole = 1, quarter = 0.25, small_gain = 0.01, large_gain = 0.05;
     constexpr int refinements = 3;
-    Arc_intervals as_wanted = wanted_intervals(stack_, sizing_), changed = as_wanted;
+    Arc_intervals as_wanted = wanted_intervals(stack_, sizing_);
+    give_intervals(given_, as_wanted);
+    Arc_intervals changed = as_wanted;
     Best_try best;
     Hex_try last = mesh_all(as_wanted, whole);
     if (best.show(last, small_gain, good)) return best.take();
@@ -71,10 +76,13 @@ class Hex_mesher {
   // The cells one by one, then all bad hexahedra together.
   Hex_try mesh_all(Arc_intervals& intervals, double smallest) const {
     intervals.solve(stack_.cells, stack_.turns, solver_);
-    Hex_try made{Cell_outlines(stack_, intervals, drop_), {}, {}};
+    Hex_try made{Cell_outlines(stack_, intervals, drop_, given_), {}, {}};
     Hex_mesh& mesh = made.mesh;
     mesh.points = made.outlines.points();
-    for (Patch_index target : stack_.targets) mesh.targets.push_back(stack_.id(target));
+    for (Patch_index target : stack_.targets) {
+      mesh.targets.push_back(stack_.id(target));
+      mesh.directions.push_back(stack_.up_at(target));
+    }
     std::vector<Patch_index> patch;       // by boundary quad
     std::vector<std::size_t> first{0};    // hexahedron, by cell
     Hex_builder builder(stack_, made.outlines, mesh, patch);
@@ -82,7 +90,7 @@ class Hex_mesher {
       if (const Cell_mesh cell = mesh_cell(c, made.outlines, smallest); !cell.empty()) builder.add(c, cell);
       first.push_back(mesh.hexes.size());
     }
-    mesh.tightest = tightest_of_all(made.outlines);
+    mesh.bounds = tightest_by_volume(made.outlines);
     made.quality = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
     made.outlines.move_to(mesh.points);
     return made;
@@ -95,13 +103,15 @@ class Hex_mesher {
         .run(mesh_quads_, size, acceptable, smallest);
   }
 
-  Angle_bound tightest_of_all(const Cell_outlines& outlines) const {
-    Angle_bound tightest;
-    for (std::size_t c = 0; c < stack_.cells.size(); ++c)
+  std::vector<Angle_bound> tightest_by_volume(const Cell_outlines& outlines) const {
+    std::vector<Angle_bound> tightest(stack_.targets.size());
+    for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
+      Angle_bound& of_volume = tightest[stack_.volume_of(stack_.cells[c])];
       for (Patch_index cap : {stack_.cells[c].target, stack_.cells[c].source})
         if (const Angle_bound found = bound_by_angles(stack_, c, cap, outlines, drop_to(cap));
-            found.scaled_jacobian < tightest.scaled_jacobian)
-          tightest = found;
+            found.scaled_jacobian < of_volume.scaled_jacobian)
+          of_volume = found;
+    }
     return tightest;
   }
 
@@ -122,6 +132,7 @@ class Hex_mesher {
   }
 
   Cell_stack stack_;
+  std::vector<Given_arc> given_;
   const CapDrop& drop_;
   const Sizing& sizing_;
   const Solver& solver_;
@@ -138,13 +149,14 @@ class Hex_mesher {
 /// \param sizing the edge lengths wanted
 /// \param solver what chooses the numbers of intervals
 /// \param mesh_quads what meshes a section of a cell; where it can not, triangles are subdivided
+/// \param given nodes on walls that another mesh has already
 /// \return the mesh; throws `internal::Failure` where a hexahedron would not be positive.
 /// Complexity: linear in the hexahedra, and one sparse factorisation for each cell.
 template <class CapDrop, SizingField Sizing, IntervalSolver Solver = Parity_intervals, QuadMesher Quads = Best_quads>
 Hex_mesh make_hex_mesh(const Layer_stack& stack, const Arc_stack& arcs, const std::vector<int>& patch_id,
                        const CapDrop& drop_to_cap, const Sizing& sizing, const Solver& solver = {},
-                       const Quads& mesh_quads = {}) {
-  internal::Hex_mesher mesher(stack, arcs, patch_id, drop_to_cap, sizing, solver, mesh_quads);
+                       const Quads& mesh_quads = {}, const internal::Given_nodes& given = {}) {
+  internal::Hex_mesher mesher(stack, arcs, patch_id, drop_to_cap, sizing, solver, mesh_quads, given);
   Hex_mesh mesh = mesher.run();
   internal::certify(mesh);
   return mesh;

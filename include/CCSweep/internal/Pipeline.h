@@ -56,6 +56,44 @@ struct Refinement {
   double reach = 0;               ///< how far what was carried up snaps to the surface, in tolerances
 };
 
+/// The layers of a part and what was swept through them.
+template <class Traits>
+struct Swept_layers {
+  Layering layering;
+  Layered_loops<Traits> loops;
+};
+
+/// The stages that sweep (section 2, steps 1 to 5), for one choice of roles.
+/// \param tolerance absolute
+/// \param reach as of `Refinement`
+template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
+Swept_layers<Traits> sweep(const Part<Traits>& part, const Roles& roles, const Layering_options& options,
+                           double tolerance, double reach, std::size_t neighbours, Visitor& visitor,
+                           Stage_runner<Visitor>& run) {
+  Layering layering = run(Stage::layers, [&] { return make_layering(part, roles, options); });
+  const Wall_sections sections = run(Stage::linking_mesh, [&] { return make_wall_sections(part, roles, layering); });
+  Layered_loops<Traits> loops = run(Stage::loop_faces, [&] {
+    return sweep_layers<Traits, SegmentIndex, PointIndex>(part, roles, layering, sections, tolerance, neighbours,
+                                                          visitor, reach * tolerance);
+  });
+  return {std::move(layering), std::move(loops)};
+}
+
+/// The stages that cut (section 2, steps 6 and 7).
+/// \param follows_walls as of `Refinement`
+template <class Traits, class Visitor>
+Decomposition<typename Traits::Point_3> cut(const Part<Traits>& part, const Roles& roles,
+                                            Swept_layers<Traits> swept, bool follows_walls,
+                                            Stage_runner<Visitor>& run) {
+  const auto rows = run(Stage::decomposition_sets, [&] { return make_cut_rows(part, swept.layering, swept.loops); });
+  return run(Stage::sub_volumes, [&] {
+    return guarded([&] {
+      const auto surface = value_or_fail(draw_cuts(part, roles, swept.loops, rows, follows_walls));
+      return value_or_fail(make_sub_volumes(part, roles, swept.layering, swept.loops, rows, surface));
+    });
+  });
+}
+
 /// The stages from the roles on (section 2, steps 1 to 7), for one choice of roles.
 template <class Traits, class SegmentIndex, class PointIndex, class Visitor>
 class Pipeline {
@@ -70,22 +108,9 @@ class Pipeline {
     layers.through_vertices = refinement.through_vertices;
     layers.slabs *= refinement.times_slabs;
     const double tolerance = options_.tolerance * part_.diagonal;
-
-    const Layering layering = run_(Stage::layers, [&] { return make_layering(part_, roles, layers); });
-    const Wall_sections sections =
-        run_(Stage::linking_mesh, [&] { return make_wall_sections(part_, roles, layering); });
-    Layered_loops<Traits> loops = run_(Stage::loop_faces, [&] {
-      return sweep_layers<Traits, SegmentIndex, PointIndex>(part_, roles, layering, sections, tolerance,
-                                                            options_.neighbours, visitor_,
-                                                            refinement.reach * tolerance);
-    });
-    const auto rows = run_(Stage::decomposition_sets, [&] { return make_cut_rows(part_, layering, loops); });
-    Decomposition<Point_3> result = run_(Stage::sub_volumes, [&] {
-      return guarded([&] {
-        const auto surface = value_or_fail(draw_cuts(part_, roles, loops, rows, refinement.follows_walls));
-        return value_or_fail(make_sub_volumes(part_, roles, layering, loops, rows, surface));
-      });
-    });
+    auto swept = sweep<Traits, SegmentIndex, PointIndex>(part_, roles, layers, tolerance, refinement.reach,
+                                                               options_.neighbours, visitor_, run_);
+    Decomposition<Point_3> result = cut(part_, roles, std::move(swept), refinement.follows_walls, run_);
     result.tolerance = tolerance;
     return result;
   }

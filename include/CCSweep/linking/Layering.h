@@ -35,6 +35,8 @@ struct Layering_options {
   double spacing = std::numeric_limits<double>::infinity();
   /// Rows pass through vertices of the linking faces as well, where these are not too dense.
   bool through_vertices = false;
+  /// Values, ascending, at which there must be rows; between two levels with such values there are no others.
+  std::vector<double> through = {};
 };
 
 }  // namespace CCSweep

@@ -222,9 +222,14 @@ void insert_rows(const Part<Traits>& part, const Roles& roles, const Layering_op
     layering.level_of_layer.push_back(Level_index(i));
     if (i + 1 == levels.size()) break;
     const double gap = levels[i + 1] - levels[i];
-    const std::size_t slabs = slabs_between(part, roles, options, layering, levels[i], levels[i + 1]);
+    std::size_t slabs = slabs_between(part, roles, options, layering, levels[i], levels[i + 1]);
     std::vector<double> stops{levels[i]};
-    if (options.through_vertices)
+    const double resolution = height_resolution(part);
+    for (double value : options.through)
+      if (value > levels[i] + resolution && value < levels[i + 1] - resolution) stops.push_back(value);
+    if (stops.size() > 1)
+      slabs = 1;
+    else if (options.through_vertices)
       stops = rows_through_vertices(part, roles, levels[i], levels[i + 1], gap / double(slabs), layering.parameter);
     for (std::size_t s = 0; s < stops.size(); ++s) {
       if (s > 0) add_row(stops[s]);
