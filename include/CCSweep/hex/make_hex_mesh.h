@@ -64,14 +64,21 @@ class Hex_mesher {
       if (best.show(last, large_gain, acceptable)) return best.take();
       refine(stack_, last.quality, acceptable, last.outlines, changed);
     }
-    if (best.empty())
-      fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size");
+    if (best.empty()) refuse(last.quality);
     return best.take();
   }
 
  private:
   // Scaled Jacobians: below the one a mesh is tried again, up to the other its nodes are moved.
   static constexpr double acceptable = 0.2, good = 0.4, fine = 0.5;
+
+  // There is a cell that has got no mesh.
+  [[noreturn]] void refuse(const std::vector<double>& quality) const {
+    const auto worst = std::min_element(quality.begin(), quality.end());
+    const Cell& cell = stack_.cells[static_cast<std::size_t>(worst - quality.begin())];
+    fail(Status_code::hex_mesh_failed, Stage::hex_mesh, "the outline of a cap is too fine to be meshed at this size",
+         {stack_.id(cell.target), stack_.id(cell.source)}, stack_.arcs.arc(cell.top, cell.loops[0][0][0]).line[0]);
+  }
 
   // The cells one by one, then all bad hexahedra together.
   Hex_try mesh_all(Arc_intervals& intervals, double smallest) const {
