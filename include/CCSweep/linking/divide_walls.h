@@ -101,14 +101,21 @@ std::optional<Part<Traits>> divide_flat_facets(const Part<Traits>& part, const R
 }
 
 /// On walls of few large facets the harmonic parameter is coarse, and rows across it stray from the sections of the
-/// part. This puts a vertex on each edge inside the walls.
+/// part. This puts vertices on the edges inside the walls, once at least and till there are many facets.
 /// \return as `divide_flat_facets()`; nothing where the parameter is not harmonic. Complexity: O(n log n).
 template <class Traits>
 std::optional<Part<Traits>> divide_walls(const Part<Traits>& part, const Roles& roles) {
   if (!internal::has_harmonic_parameter(internal::group_caps(part, roles), roles)) return std::nullopt;
-  const auto edges = internal::edges_inside_walls(part, roles, [](auto) { return true; });
-  if (edges.empty()) return std::nullopt;
-  return internal::with_edges_halved(part, edges);
+  constexpr std::size_t many = 2000;
+  constexpr int most_rounds = 4;
+  std::optional<Part<Traits>> divided;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Part<Traits>& last = divided ? *divided : part;
+    const auto edges = internal::edges_inside_walls(last, roles, [](auto) { return true; });
+    if (edges.empty() || (divided && last.mesh.number_of_faces() > many)) break;
+    divided = internal::with_edges_halved(last, edges);
+  }
+  return divided;
 }
 
 }  // namespace CCSweep
