@@ -109,7 +109,7 @@ class Pipeline {
     layers.slabs *= refinement.times_slabs;
     const double tolerance = options_.tolerance * part_.diagonal;
     auto swept = sweep<Traits, SegmentIndex, PointIndex>(part_, roles, layers, tolerance, refinement.reach,
-                                                               options_.neighbours, visitor_, run_);
+                                                         options_.neighbours, visitor_, run_);
     Decomposition<Point_3> result = cut(part_, roles, std::move(swept), refinement.follows_walls, run_);
     result.tolerance = tolerance;
     return result;
