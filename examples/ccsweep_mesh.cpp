@@ -85,6 +85,7 @@ CCSweep::Report make_report(const Hex_mesh& mesh, const std::vector<double>& qua
   report["hexahedra"] = mesh.hexes.size();
   report["nodes"] = mesh.points.size();
   report["volumes"] = mesh.targets.size();
+  report["directions"] = mesh.directions;
   const auto worst = std::min_element(qualities.begin(), qualities.end());
   report["scaled_jacobian"] = {{"minimum", *worst},
                                {"minimum_place", place_of(mesh, static_cast<std::size_t>(worst - qualities.begin()))},

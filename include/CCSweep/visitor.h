@@ -24,8 +24,9 @@ namespace CCSweep {
 /// - `imprinted(layer, graph)` comes after the sources and targets of a layer have been overlaid, once for each level;
 ///   `graph` is a model of `LoopFaceGraph` and lives as long as the call.
 ///
-/// Where a result fails its verification and the layering is refined, or where several axes compete, the stages from
-/// the layers on run again, with all their calls. Every call comes from the thread that called the algorithm.
+/// Where a result fails its verification and the layering is refined, where several axes compete, or where the
+/// hexahedra of a sub-volume are swept anew, the stages from the layers on run again, with all their calls. Every call
+/// comes from the thread that called the algorithm.
 template <class V>
 concept SweepVisitor = requires(V& visitor, Stage stage, std::size_t total) {
   visitor.begin(stage, total);

@@ -30,14 +30,14 @@ struct Hex_mesh {
   struct Boundary_quad {
     std::array<std::uint32_t, 4> nodes;
     int patch_id;  ///< of the input patch it lies on
-    Role role;     ///< source, target or linking
+    Role role;     ///< source, target or linking, in the sweep of its sub-volume
     int volume;    ///< index of the sub-volume
   };
 
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 8>> hexes;  ///< nodes in VTK's order: the bottom quad, then the top one
   std::vector<int> volume;                          ///< by hexahedron: index of the sub-volume
-  std::vector<int> targets;                         ///< by sub-volume: id of its target patch
+  std::vector<int> targets;                         ///< by sub-volume: id of its target patch in the common sweep
   std::vector<std::array<double, 3>> directions;    ///< by sub-volume: in which it was swept, at its target
   std::vector<Boundary_quad> boundary;
   std::vector<Angle_bound> bounds;  ///< by sub-volume: the tightest on the outlines of its caps
