@@ -69,8 +69,8 @@ inline constexpr bool is_sub_volume<Sub_volume<Point>> = true;
 /// The layers of the decomposition, with further ones at the size asked for, are cut into columns of one source and one
 /// target each; one quad mesh of a column's section is swept from its source to its target. Neighbouring columns share
 /// the nodes between them. Nodes on the boundary lie on the facets of the part. A sub-volume that this sweep does not
-/// suit is swept anew in a straight direction of its own, if there is one in which all its cuts are linking faces, and if
-/// its hexahedra are the better for it; the nodes on its cuts stay as they are.
+/// suit is swept anew in a straight direction of its own, if there is one in which all its cuts are linking faces, and
+/// if its hexahedra are the better for it; the nodes on its cuts stay as they are.
 ///
 /// \tparam FaceGraph a model of `SweepMesh`, with what `decompose()` asks of it
 /// \param np a sequence of named parameters, see `CCSweep::parameters`; `face_patch_map` and `size` are needed

@@ -24,7 +24,7 @@ struct Interval_problem {
   std::vector<std::size_t> least;   ///< by curve, at least 1
   std::vector<Row> equal;           ///< sums that must vanish: the opposite sides of a structured mesh
   std::vector<Row> even;            ///< sums that must be even: the outline of an all-quad mesh
-  std::vector<bool> given = {};     ///< by curve: only the number wanted, a whole one, will do; empty where all are free
+  std::vector<bool> given = {};     ///< by curve: only the number wanted, a whole one, will do; empty if all are free
 
   bool is_given(std::size_t curve) const { return !given.empty() && given[curve]; }
 };

@@ -160,8 +160,8 @@ class Parity_intervals {
     return k - 1 >= problem.least[i] && double(k) > problem.wanted[i] ? k - 1 : k + 1;
   }
 
-  // The side that is too short grows, at its longest curve; if all its curves are given, the other one shrinks. A change
-  // in one row reaches others, so this goes on till nothing changes, boundedly.
+  // The side that is too short grows, at its longest curve; if all its curves are given, the other one shrinks. A
+  // change in one row reaches others, so this goes on till nothing changes, boundedly.
   static bool even_out(const Interval_problem& problem, Intervals& intervals) {
     constexpr int passes = 40;
     for (int pass = 0; pass < passes; ++pass) {

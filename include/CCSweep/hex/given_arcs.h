@@ -49,14 +49,14 @@ inline void give_intervals(const std::vector<Given_arc>& arcs, Arc_intervals& in
   for (const Given_arc& arc : arcs) intervals.give(arc.layer, arc.half, arc.nodes.size() - 1);
 }
 
-/// Puts the nodes of such arcs where they are given.
+/// Puts the nodes of such arcs where they are given, if the solver could keep their numbers.
 template <class CapDrop>
 void give_nodes(const std::vector<Given_arc>& arcs, Arc_nodes<CapDrop>& nodes) {
   for (const Given_arc& arc : arcs) {
     if (!nodes.is_used(arc.layer, arc.half)) continue;
     const std::vector<std::uint32_t> on_arc = nodes.on(arc.layer, arc.half);
-    for (std::size_t i = 0; i < on_arc.size() && on_arc.size() == arc.nodes.size(); ++i)
-      nodes.points[on_arc[i]] = arc.nodes[i];
+    if (on_arc.size() != arc.nodes.size()) continue;
+    for (std::size_t i = 0; i < on_arc.size(); ++i) nodes.points[on_arc[i]] = arc.nodes[i];
   }
 }
 

@@ -17,6 +17,8 @@
 #include <CCSweep/internal/Pipeline.h>
 #include <CCSweep/internal/guarded.h>
 #include <CCSweep/linking/divide_walls.h>
+#include <CCSweep/part/Part.h>
+#include <CCSweep/part/Roles.h>
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/part/make_part.h>
 #include <CCSweep/volumes/Decomposition.h>
@@ -28,7 +30,6 @@
 #include <cstdint>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -112,8 +113,8 @@ class Hex_pipeline {
            code == Status_code::inconsistent_levels;
   }
 
-  // All sub-volumes by one sweep; then, as the paper does after decomposing (3.1), those that it does not suit by sweeps
-  // of their own.
+  // All sub-volumes by one sweep; then, as the paper does after decomposing (3.1), those that it does not suit by
+  // sweeps of their own.
   Hex_mesh mesh(const Roles& roles, const Refinement& refinement) {
     Swept_layers<Traits> swept = sweep_along(roles, refinement, {});
     Hex_mesh mesh = mesh_of(roles, swept, {});
@@ -229,7 +230,7 @@ class Hex_pipeline {
     return mesh_of(roles, sweep_along(roles, {}, given.heights()), given);
   }
 
-  // The scaled Jacobian from which on no other direction is looked for.
+  // The scaled Jacobian from which on no other direction is looked for: what other sweeps can add to it is little.
   static constexpr double good = 0.8;
 
   double tolerance() const { return options_.tolerance * part_.diagonal; }
