@@ -17,9 +17,6 @@
 #include <CCSweep/part/assign_roles.h>
 #include <CCSweep/visitor.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -31,28 +28,20 @@
 #include <vector>
 
 #include "hex_checks.h"
+#include "prisms.h"
 
 namespace {
 
 using CCSweep::Hex_mesh;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using prisms::Corner;
+using prisms::Kernel;
+using prisms::low_box_beside_tall_one;
+using prisms::Mesh;
+using prisms::Outline;
+using prisms::prism;
 using Direction = std::array<double, 3>;
 
-// A corner of an outline, and the patch over the edge that starts there.
-struct Corner {
-  double x, z;
-  int patch;
-};
-using Outline = std::vector<Corner>;
-
-constexpr double length = 3;
 constexpr Direction upward{0, 0, 1};
-
-// A low box beside a taller one that reaches down deeper, seen from the front, counterclockwise.
-Outline low_box_beside_tall_one() {
-  return {{2, 0, 10}, {2, -1, 11}, {4, -1, 12}, {4, 3.5, 13}, {2, 3.5, 14}, {2, 1, 15}, {0, 1, 16}, {0, 0, 17}};
-}
 
 // The places of a roof between its eaves at (2, 1) and (0, 1), from the one to the other.
 using Roof = std::vector<std::array<double, 2>>;
@@ -91,33 +80,6 @@ Outline roofed(const Roof& roof, bool is_mirrored) {
   return outline;
 }
 
-// \param shear how far it leans to the side, for each unit along y
-Mesh prism(const Outline& outline, double shear) {
-  Mesh mesh;
-  auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch_id", -1).first;
-  std::vector<Mesh::Vertex_index> front, back;
-  for (const Corner& corner : outline) {
-    front.push_back(mesh.add_vertex({corner.x, 0, corner.z}));
-    back.push_back(mesh.add_vertex({corner.x + shear * length, length, corner.z}));
-  }
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const std::size_t j = (i + 1) % outline.size();
-    patch[mesh.add_face(front[i], back[i], back[j], front[j])] = outline[i].patch;
-  }
-  patch[mesh.add_face(front)] = 0;
-  patch[mesh.add_face(std::vector(back.rbegin(), back.rend()))] = 1;
-  return mesh;
-}
-
-double area(const Outline& outline) {
-  double sum = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto &p = outline[i], &q = outline[(i + 1) % outline.size()];
-    sum += (p.x * q.z - p.z * q.x) / 2;
-  }
-  return sum;
-}
-
 // Swept upward as a whole, by the stages themselves.
 Hex_mesh swept_together(const Mesh& mesh, double size) {
   using namespace CCSweep;
@@ -141,7 +103,7 @@ bool is_along_y(const Direction& d) { return std::abs(d[1]) > 1 - 1e-9; }
 void expect_own_direction(const Outline& outline, double shear, double size) {
   const Mesh part = prism(outline, shear);
   const auto found = hex_checks::mesh(part, upward, size);
-  hex_checks::expect_sound(found, length * area(outline), 0.02);
+  hex_checks::expect_sound(found, prisms::volume(outline), 0.02);
   const Hex_mesh &mesh = found.value(), common = swept_together(part, size);
   BOOST_TEST(mesh.targets == common.targets);
   BOOST_TEST_REQUIRE(mesh.directions.size() == 2);
@@ -179,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_box_under_a_gable_is_swept_along_it) {
 BOOST_AUTO_TEST_CASE(boxes_are_swept_together) {
   const Outline outline = low_box_beside_tall_one();
   const auto found = hex_checks::mesh(prism(outline, 0), upward, 0.5);
-  hex_checks::expect_sound(found, length * area(outline), 1e-9);
+  hex_checks::expect_sound(found, prisms::volume(outline), 1e-9);
   BOOST_TEST(std::count_if(found.value().directions.begin(), found.value().directions.end(), is_along_y) == 0);
 }
 

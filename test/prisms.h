@@ -24,14 +24,24 @@ using Outline = std::vector<Corner>;
 
 inline constexpr double length = 3;
 
+/// A low box beside a taller one that reaches down deeper.
+/// \param roof of the low box, from (2, 1) to (0, 1) or wherever its other wall ends
+inline Outline low_box_beside_tall_one(const Outline& roof = {{2, 1, 15}, {0, 1, 16}}) {
+  Outline outline{{2, 0, 10}, {2, -1, 11}, {4, -1, 12}, {4, 3.5, 13}, {2, 3.5, 14}};
+  outline.insert(outline.end(), roof.begin(), roof.end());
+  outline.push_back({0, 0, 17});
+  return outline;
+}
+
 /// A part with the face property `f:patch_id`: 0 in front, 1 at the back.
-inline Mesh prism(const Outline& outline) {
+/// \param shear how far it leans to the side, for each unit along y
+inline Mesh prism(const Outline& outline, double shear = 0) {
   Mesh mesh;
   auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch_id", -1).first;
   std::vector<Mesh::Vertex_index> front, back;
   for (const Corner& corner : outline) {
     front.push_back(mesh.add_vertex({corner.x, 0, corner.z}));
-    back.push_back(mesh.add_vertex({corner.x, length, corner.z}));
+    back.push_back(mesh.add_vertex({corner.x + shear * length, length, corner.z}));
   }
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const std::size_t j = (i + 1) % outline.size();

@@ -20,17 +20,10 @@
 
 namespace {
 
+using prisms::low_box_beside_tall_one;
 using prisms::Outline;
 
 double slope(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
-
-// A low box, whose roof is given, beside a taller one that reaches down deeper.
-Outline low_box_beside_tall_one(const Outline& roof) {
-  Outline outline{{2, 0, 10}, {2, -1, 11}, {4, -1, 12}, {4, 3.5, 13}, {2, 3.5, 14}};
-  outline.insert(outline.end(), roof.begin(), roof.end());
-  outline.push_back({0, 0, 17});
-  return outline;
-}
 
 struct Case {
   std::string name;
