@@ -85,7 +85,7 @@ Hex_mesh swept_together(const Mesh& mesh, double size) {
   using namespace CCSweep;
   const auto patch = mesh.property_map<Mesh::Face_index, int>("f:patch_id").first;
   const auto part = internal::read_input<Kernel>(mesh, mesh.points(), patch);
-  const Roles roles = assign_roles(part, {.direction = upward}).value().front();
+  const Roles roles = assign_roles(part, {upward, {}, {}}).value().front();
   const double tolerance = 1e-5 * part.diagonal;
   Visitor_base visitor;
   internal::Stage_runner run(visitor);
