@@ -12,10 +12,11 @@
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
-#include <boost/sort/spreadsort/float_sort.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -58,7 +59,7 @@ class Canonical_vertices {
   void sort_from_axis(std::span<Placed> range) const {
     const auto is_less = [](const Placed& a, const Placed& b) { return a.place[axis] < b.place[axis]; };
     if constexpr (std::is_same_v<FT, double>)
-      boost::sort::spreadsort::float_sort(range.begin(), range.end(), Shifted<axis>(), is_less);
+      boost::sort::spreadsort::integer_sort(range.begin(), range.end(), Shifted<axis>(), is_less);
     else
       std::sort(range.begin(), range.end(), is_less);
     for (std::size_t first = 0, last = 0; first < range.size(); first = last) {
@@ -71,10 +72,14 @@ class Canonical_vertices {
     }
   }
 
+  // Whole numbers in the order of the coordinates: the bits of a double, all inverted if it is negative. Boost's own
+  // sort of floating-point numbers subtracts signed ones and may overflow.
   template <std::size_t axis>
   struct Shifted {
-    std::int64_t operator()(const Placed& p, unsigned offset) const {
-      return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(p.place[axis]) >> offset;
+    std::uint64_t operator()(const Placed& p, unsigned offset) const {
+      constexpr std::uint64_t sign = std::uint64_t(1) << 63;
+      const auto bits = std::bit_cast<std::uint64_t>(p.place[axis]);
+      return ((bits & sign) != 0 ? ~bits : bits | sign) >> offset;
     }
   };
 
