@@ -115,7 +115,8 @@ class Decomposer {
 
   // A result that fails is never returned; it is refined and tried again, boundedly: first by cuts that follow the
   // bends of the walls between two layers, then by rows that pass through the vertices of the linking faces, then by
-  // walls of smaller facets, by more rows, at last by cuts that missed the walls and may be drawn to them from further off.
+  // walls of smaller facets, by more rows, at last by cuts that missed the walls and may be drawn to them from further
+  // off.
   Result<Result_type> attempt_refined(const Roles& roles) {
     const std::optional<Part<Traits>> divided = divide_flat_facets(part_, roles);
     const Part<Traits>& part = divided ? *divided : part_;

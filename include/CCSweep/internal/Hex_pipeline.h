@@ -90,15 +90,20 @@ class Hex_pipeline {
 
   // Where layers can't be imprinted, or a column is lost between two of them, others are tried, as `decompose()` does.
   Hex_mesh mesh_with_layers(const Roles& roles) {
-    constexpr std::array<Refinement, 7> refinements{
-        {{}, {.through_vertices = true}, {.divides_walls = true}, {.times_slabs = 2}, {.times_slabs = 4}, {.reach = 10}, {.reach = 50}}};
+    constexpr std::array<Refinement, 7> refinements{{{},
+                                                     {.through_vertices = true},
+                                                     {.divides_walls = true},
+                                                     {.times_slabs = 2},
+                                                     {.times_slabs = 4},
+                                                     {.reach = 10},
+                                                     {.reach = 50}}};
     std::optional<Part<Traits>> finer;
     std::optional<Status> failure;
     for (const Refinement& refinement : refinements) {
       if (refinement.divides_walls && !(finer = divide_walls(part_, roles))) continue;
       Result<Hex_mesh> attempt = guarded([&] {
-        if (refinement.divides_walls) return Hex_pipeline(*finer, options_, policies_, visitor_).mesh(roles, refinement);
-        return mesh(roles, refinement);
+        if (!refinement.divides_walls) return mesh(roles, refinement);
+        return Hex_pipeline(*finer, options_, policies_, visitor_).mesh(roles, refinement);
       });
       if (attempt) return std::move(attempt).value();
       if (!failure || attempt.status().code == Status_code::cancelled) failure = attempt.status();
