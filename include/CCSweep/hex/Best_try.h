@@ -5,6 +5,7 @@
 
 #include <CCSweep/hex/Cell_outlines.h>
 #include <CCSweep/hex/Hex_mesh.h>
+#include <CCSweep/hex/angle_bound.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,9 +18,20 @@ namespace CCSweep::internal {
 struct Hex_try {
   Cell_outlines outlines;
   Hex_mesh mesh;
-  std::vector<double> quality;  ///< by cell: its least scaled Jacobian; -2 where there is no mesh
+  std::vector<Angle_bound> bounds;  ///< by cell: the tightest on the outlines of its caps
+  std::vector<double> quality;      ///< by cell: its least scaled Jacobian; -2 where there is no mesh
 
   double worst() const { return *std::min_element(quality.begin(), quality.end()); }
+
+  /// Whether a cell lacks the quality wanted, and its angles allow for more.
+  bool falls_short(std::size_t cell, double wanted) const {
+    return !(quality[cell] > 0) || quality[cell] < attainable(bounds[cell], wanted);
+  }
+  bool falls_short(double wanted) const {
+    for (std::size_t c = 0; c < quality.size(); ++c)
+      if (falls_short(c, wanted)) return true;
+    return false;
+  }
 };
 
 /// Keeps the mesh with the best worst hexahedron.
@@ -27,26 +39,26 @@ class Best_try {
  public:
   /// Takes the mesh of a try if it is better than the one kept.
   /// \param gain how much better it must be, as long as no hexahedron of the one kept is folded
-  /// \return whether further tries are needless: the best mesh is good, or they have grown too much
-  bool show(Hex_try& shown, double gain, double good) {
+  void show(Hex_try& shown, double gain) {
     constexpr std::size_t growth = 4;  // of the number of hexahedra from the first mesh
     const double worst = shown.worst();
-    const std::size_t size = shown.mesh.hexes.size();
-    if (most_ == 0 && worst > -2) most_ = growth * size;
+    size_ = shown.mesh.hexes.size();
+    if (most_ == 0 && worst > -2) most_ = growth * size_;
     if (worst > quality_ + (quality_ > 0 ? gain : 0)) {
       quality_ = worst;
       mesh_ = std::move(shown.mesh);
     }
-    return quality_ >= good || (most_ > 0 && size > most_);
   }
 
   bool empty() const { return quality_ == -2; }
+  /// Whether the mesh shown last had so many hexahedra that more of them are not worth it.
+  bool has_grown() const { return most_ > 0 && size_ > most_; }
   Hex_mesh take() { return std::move(mesh_); }
 
  private:
   Hex_mesh mesh_;
   double quality_ = -2;
-  std::size_t most_ = 0;  // hexahedra; 0 before there is a mesh
+  std::size_t size_ = 0, most_ = 0;  // hexahedra; 0 before there is a mesh
 };
 
 }  // namespace CCSweep::internal

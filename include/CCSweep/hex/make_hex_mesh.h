@@ -52,17 +52,20 @@ class Hex_mesher {
     Arc_intervals changed = as_wanted;
     Best_try best;
     Hex_try last = mesh_all(as_wanted, whole);
-    if (best.show(last, small_gain, good)) return best.take();
-    make_even(stack_, last.quality, good, changed);
+    best.show(last, small_gain);
+    if (!last.falls_short(good)) return best.take();
+    make_even(stack_, last, good, changed);
     last = mesh_all(changed, whole);
-    if (best.show(last, small_gain, acceptable)) return best.take();
-    refine(stack_, last.quality, acceptable, last.outlines, changed);
+    best.show(last, small_gain);
+    if (!last.falls_short(acceptable)) return best.take();
+    refine(stack_, last, acceptable, changed);
     last = mesh_all(as_wanted, quarter);
-    if (best.show(last, small_gain, acceptable)) return best.take();
-    for (int i = 0; i < refinements; ++i) {
+    best.show(last, small_gain);
+    for (int i = 0; i < refinements && last.falls_short(acceptable); ++i) {
       last = mesh_all(changed, quarter);
-      if (best.show(last, large_gain, acceptable)) return best.take();
-      refine(stack_, last.quality, acceptable, last.outlines, changed);
+      best.show(last, large_gain);
+      if (best.has_grown()) break;
+      refine(stack_, last, acceptable, changed);
     }
     if (best.empty()) refuse(last.quality);
     return best.take();
@@ -83,7 +86,7 @@ class Hex_mesher {
   // The cells one by one, then all bad hexahedra together.
   Hex_try mesh_all(Arc_intervals& intervals, double smallest) const {
     intervals.solve(stack_.cells, stack_.turns, solver_);
-    Hex_try made{Cell_outlines(stack_, intervals, drop_, given_), {}, {}};
+    Hex_try made{Cell_outlines(stack_, intervals, drop_, given_), {}, {}, {}};
     Hex_mesh& mesh = made.mesh;
     mesh.points = made.outlines.points();
     for (Patch_index target : stack_.targets) {
@@ -94,31 +97,37 @@ class Hex_mesher {
     std::vector<std::size_t> first{0};    // hexahedron, by cell
     Hex_builder builder(stack_, made.outlines, mesh, patch);
     for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
-      if (const Cell_mesh cell = mesh_cell(c, made.outlines, smallest); !cell.empty()) builder.add(c, cell);
+      made.bounds.push_back(bound_on(c, made.outlines));
+      if (const Cell_mesh cell = mesh_cell(c, made.outlines, attainable(made.bounds[c], acceptable), smallest);
+          !cell.empty())
+        builder.add(c, cell);
       first.push_back(mesh.hexes.size());
     }
-    mesh.bounds = tightest_by_volume(made.outlines);
+    mesh.bounds = tightest_by_volume(made.bounds);
     made.quality = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
     made.outlines.move_to(mesh.points);
     return made;
   }
 
-  Cell_mesh mesh_cell(std::size_t c, const Cell_outlines& outlines, double smallest) const {
+  Cell_mesh mesh_cell(std::size_t c, const Cell_outlines& outlines, double wanted, double smallest) const {
     const Cell& cell = stack_.cells[c];
     const double size = size_between(sizing_, {stack_.id(cell.source), stack_.id(cell.target)});
     return Cell_mesher(stack_, c, outlines, drop_to(cell.target), drop_to(cell.source))
-        .run(mesh_quads_, size, acceptable, smallest);
+        .run(mesh_quads_, size, wanted, smallest);
   }
 
-  std::vector<Angle_bound> tightest_by_volume(const Cell_outlines& outlines) const {
+  Angle_bound bound_on(std::size_t c, const Cell_outlines& outlines) const {
+    const auto at = [&](Patch_index cap) { return bound_by_angles(stack_, c, cap, outlines, drop_to(cap)); };
+    const Angle_bound below = at(stack_.cells[c].target), above = at(stack_.cells[c].source);
+    return above.scaled_jacobian < below.scaled_jacobian ? above : below;
+  }
+
+  std::vector<Angle_bound> tightest_by_volume(const std::vector<Angle_bound>& by_cell) const {
     std::vector<Angle_bound> tightest(stack_.targets.size());
-    for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
-      Angle_bound& of_volume = tightest[stack_.volume_of(stack_.cells[c])];
-      for (Patch_index cap : {stack_.cells[c].target, stack_.cells[c].source})
-        if (const Angle_bound found = bound_by_angles(stack_, c, cap, outlines, drop_to(cap));
-            found.scaled_jacobian < of_volume.scaled_jacobian)
-          of_volume = found;
-    }
+    for (std::size_t c = 0; c < stack_.cells.size(); ++c)
+      if (Angle_bound& of_volume = tightest[stack_.volume_of(stack_.cells[c])];
+          by_cell[c].scaled_jacobian < of_volume.scaled_jacobian)
+        of_volume = by_cell[c];
     return tightest;
   }
 
