@@ -51,7 +51,7 @@ inline std::set<std::size_t> arcs_at_fault(const Cell_stack& stack, std::size_t 
 /// Asks for even numbers around the cells whose quality is not good, so that they can be subdivided.
 inline void make_even(const Cell_stack& stack, const Hex_try& last, double good, Arc_intervals& intervals) {
   for (std::size_t c = 0; c < stack.cells.size(); ++c) {
-    if (!last.falls_short(c, good)) continue;
+    if (!last.qualities.falls_short(c, good)) continue;
     for (const Cell::Loop& loop : stack.cells[c].loops[0])
       for (Arc_stack::Half_arc h : loop) intervals.make_even(stack.cells[c].top, h);
   }
@@ -62,8 +62,8 @@ inline void make_even(const Cell_stack& stack, const Hex_try& last, double good,
 inline void refine(const Cell_stack& stack, const Hex_try& last, double acceptable, Arc_intervals& intervals) {
   std::set<std::size_t> too_coarse;
   for (std::size_t c = 0; c < stack.cells.size(); ++c) {
-    if (!last.falls_short(c, acceptable)) continue;
-    const std::set<std::size_t> faults = arcs_at_fault(stack, c, last.outlines, last.quality[c] > -2);
+    if (!last.qualities.falls_short(c, acceptable)) continue;
+    const std::set<std::size_t> faults = arcs_at_fault(stack, c, last.outlines, last.qualities.scaled_jacobian[c] > -2);
     std::size_t arc = 0;
     for (const Cell::Loop& loop : stack.cells[c].loops[0])
       for (Arc_stack::Half_arc h : loop)

@@ -52,22 +52,19 @@ class Hex_mesher {
     Arc_intervals changed = as_wanted;
     Best_try best;
     Hex_try last = mesh_all(as_wanted, whole);
-    best.show(last, small_gain);
-    if (!last.falls_short(good)) return best.take();
+    if (best.show(last, small_gain, good)) return best.take();
     make_even(stack_, last, good, changed);
     last = mesh_all(changed, whole);
-    best.show(last, small_gain);
-    if (!last.falls_short(acceptable)) return best.take();
+    if (best.show(last, small_gain, acceptable)) return best.take();
     refine(stack_, last, acceptable, changed);
     last = mesh_all(as_wanted, quarter);
-    best.show(last, small_gain);
-    for (int i = 0; i < refinements && last.falls_short(acceptable); ++i) {
+    if (best.show(last, small_gain, acceptable)) return best.take();
+    for (int i = 0; i < refinements; ++i) {
       last = mesh_all(changed, quarter);
-      best.show(last, large_gain);
-      if (best.has_grown()) break;
+      if (best.show(last, large_gain, acceptable) || best.has_grown()) return best.take();
       refine(stack_, last, acceptable, changed);
     }
-    if (best.empty()) refuse(last.quality);
+    if (best.empty()) refuse(last.qualities.scaled_jacobian);
     return best.take();
   }
 
@@ -86,7 +83,7 @@ class Hex_mesher {
   // The cells one by one, then all bad hexahedra together.
   Hex_try mesh_all(Arc_intervals& intervals, double smallest) const {
     intervals.solve(stack_.cells, stack_.turns, solver_);
-    Hex_try made{Cell_outlines(stack_, intervals, drop_, given_), {}, {}, {}};
+    Hex_try made{Cell_outlines(stack_, intervals, drop_, given_), {}, {}};
     Hex_mesh& mesh = made.mesh;
     mesh.points = made.outlines.points();
     for (Patch_index target : stack_.targets) {
@@ -97,14 +94,13 @@ class Hex_mesher {
     std::vector<std::size_t> first{0};    // hexahedron, by cell
     Hex_builder builder(stack_, made.outlines, mesh, patch);
     for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
-      made.bounds.push_back(bound_on(c, made.outlines));
-      if (const Cell_mesh cell = mesh_cell(c, made.outlines, attainable(made.bounds[c], acceptable), smallest);
-          !cell.empty())
+      const Angle_bound bound = made.qualities.bounds.emplace_back(bound_on(c, made.outlines));
+      if (const Cell_mesh cell = mesh_cell(c, made.outlines, attainable(bound, acceptable), smallest); !cell.empty())
         builder.add(c, cell);
       first.push_back(mesh.hexes.size());
     }
-    mesh.bounds = tightest_by_volume(made.bounds);
-    made.quality = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
+    mesh.bounds = tightest_by_volume(made.qualities.bounds);
+    made.qualities.scaled_jacobian = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
     made.outlines.move_to(mesh.points);
     return made;
   }

@@ -159,7 +159,8 @@ Axis_trial try_axis(const Part<Traits>& part, const Vec3& direction) {
   count_targets(part, trial);
   if (trial.objections.empty()) check_curves(part, trial);
   if (trial.objections.empty()) refuse_pointed_walls(part, trial);
-  if (trial.objections.empty() && Pointed_wall_search(part, trial.roles).between_walls()) trial.roles.is_doubtful = true;
+  if (trial.objections.empty() && Pointed_wall_search(part, trial.roles).between_walls())
+    trial.roles.is_doubtful = true;
   auto has = [&](Role role) {
     return std::find(trial.roles.of_patch.begin(), trial.roles.of_patch.end(), role) != trial.roles.of_patch.end();
   };

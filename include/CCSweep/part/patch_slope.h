@@ -16,8 +16,8 @@ struct Patch_slope {
   double low = 1, high = -1, mean = 0, area = 0;
 };
 
-/// The slopes of a patch, apart from a little of its area at either end: where the facets of a round wall are large, the
-/// chord errors of its curves leave slivers that lie at any angle.
+/// The slopes of a patch, apart from a little of its area at either end: where the facets of a round wall are large,
+/// the chord errors of its curves leave slivers that lie at any angle.
 class Slope_range {
  public:
   void add(double slope, double area) {
