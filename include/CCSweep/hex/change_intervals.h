@@ -4,7 +4,6 @@
 #define CCSWEEP_HEX_CHANGE_INTERVALS_H
 
 #include <CCSweep/hex/Arc_intervals.h>
-#include <CCSweep/hex/Best_try.h>
 #include <CCSweep/hex/Cell_outlines.h>
 #include <CCSweep/hex/Cell_stack.h>
 #include <CCSweep/hex/outline_faults.h>
@@ -49,9 +48,10 @@ inline std::set<std::size_t> arcs_at_fault(const Cell_stack& stack, std::size_t 
 }
 
 /// Asks for even numbers around the cells whose quality is not good, so that they can be subdivided.
-inline void make_even(const Cell_stack& stack, const Hex_try& last, double good, Arc_intervals& intervals) {
+inline void make_even(const Cell_stack& stack, const std::vector<double>& quality, double good,
+                      Arc_intervals& intervals) {
   for (std::size_t c = 0; c < stack.cells.size(); ++c) {
-    if (!last.qualities.falls_short(c, good)) continue;
+    if (quality[c] >= good) continue;
     for (const Cell::Loop& loop : stack.cells[c].loops[0])
       for (Arc_stack::Half_arc h : loop) intervals.make_even(stack.cells[c].top, h);
   }
@@ -59,11 +59,13 @@ inline void make_even(const Cell_stack& stack, const Hex_try& last, double good,
 
 /// Asks for more intervals on the arcs at fault of the cells whose quality is not acceptable, or on all around them
 /// where none is at fault. Several cells may want the same arcs refined, which is done once.
-inline void refine(const Cell_stack& stack, const Hex_try& last, double acceptable, Arc_intervals& intervals) {
+/// \param quality by cell; below -1 where a cell has no mesh
+inline void refine(const Cell_stack& stack, const std::vector<double>& quality, double acceptable,
+                   const Cell_outlines& outlines, Arc_intervals& intervals) {
   std::set<std::size_t> too_coarse;
   for (std::size_t c = 0; c < stack.cells.size(); ++c) {
-    if (!last.qualities.falls_short(c, acceptable)) continue;
-    const std::set<std::size_t> faults = arcs_at_fault(stack, c, last.outlines, last.qualities.scaled_jacobian[c] > -2);
+    if (quality[c] >= acceptable) continue;
+    const std::set<std::size_t> faults = arcs_at_fault(stack, c, outlines, quality[c] > -2);
     std::size_t arc = 0;
     for (const Cell::Loop& loop : stack.cells[c].loops[0])
       for (Arc_stack::Half_arc h : loop)

@@ -53,18 +53,18 @@ class Hex_mesher {
     Best_try best;
     Hex_try last = mesh_all(as_wanted, whole);
     if (best.show(last, small_gain, good)) return best.take();
-    make_even(stack_, last, good, changed);
+    make_even(stack_, last.quality, good, changed);
     last = mesh_all(changed, whole);
     if (best.show(last, small_gain, acceptable)) return best.take();
-    refine(stack_, last, acceptable, changed);
+    refine(stack_, last.quality, acceptable, last.outlines, changed);
     last = mesh_all(as_wanted, quarter);
     if (best.show(last, small_gain, acceptable)) return best.take();
     for (int i = 0; i < refinements; ++i) {
       last = mesh_all(changed, quarter);
       if (best.show(last, large_gain, acceptable) || best.has_grown()) return best.take();
-      refine(stack_, last, acceptable, changed);
+      refine(stack_, last.quality, acceptable, last.outlines, changed);
     }
-    if (best.empty()) refuse(last.qualities.scaled_jacobian);
+    if (best.empty()) refuse(last.quality);
     return best.take();
   }
 
@@ -92,15 +92,17 @@ class Hex_mesher {
     }
     std::vector<Patch_index> patch;       // by boundary quad
     std::vector<std::size_t> first{0};    // hexahedron, by cell
+    std::vector<Angle_bound> bounds;     // by cell
     Hex_builder builder(stack_, made.outlines, mesh, patch);
     for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
-      const Angle_bound bound = made.qualities.bounds.emplace_back(bound_on(c, made.outlines));
-      if (const Cell_mesh cell = mesh_cell(c, made.outlines, attainable(bound, acceptable), smallest); !cell.empty())
+      bounds.push_back(bound_on(c, made.outlines));
+      if (const Cell_mesh cell = mesh_cell(c, made.outlines, attainable(bounds[c], acceptable), smallest);
+          !cell.empty())
         builder.add(c, cell);
       first.push_back(mesh.hexes.size());
     }
-    mesh.bounds = tightest_by_volume(made.qualities.bounds);
-    made.qualities.scaled_jacobian = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
+    mesh.bounds = tightest_by_volume(bounds);
+    made.quality = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
     made.outlines.move_to(mesh.points);
     return made;
   }
