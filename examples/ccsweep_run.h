@@ -52,12 +52,13 @@ struct Options {
 };
 
 // Shows the running stage in one line of a terminal. Remembers it for the report of a failure nobody foresaw, and how
-// to write the layer drawn last, which is the one that failed.
+// to write the layer that the first attempt drew last, which is the one that failed: later attempts are not told of.
 class Progress : public CCSweep::Visitor_base {
  public:
   Progress(bool is_shown, bool keeps_layers) : is_shown_(is_shown), keeps_layers_(keeps_layers) {}
 
   void begin(Stage stage, std::size_t total) {
+    if (stage == Stage::linking_mesh && write_last_layer_) keeps_layers_ = false;
     stage_ = stage;
     total_ = total;
     done_ = 0;

@@ -8,7 +8,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 
 #include "hex_checks.h"
@@ -55,6 +57,29 @@ BOOST_AUTO_TEST_CASE(arcs_that_cross_at_a_small_angle) {
     for (int parts : {10, 20, 40})
       BOOST_TEST_CONTEXT("at extent/" << parts)
       expect_sound(hex_checks::mesh(m, {}, 34. / parts), hex_checks::volume_within(part), 0.03);
+}
+
+// The edge of a step cuts a thin segment off the circle of a boss below: no quads fit its outline at the size wanted, and
+// beside it the angles are so small that no mesh can be good.
+BOOST_AUTO_TEST_CASE(thin_segments_of_circles) {
+  constexpr double radius = 3, depth = 0.04;
+  for (int n : {24, 40})
+    BOOST_TEST_CONTEXT(n << " edges") {
+      random_parts::Plan plan;
+      plan.material.push_back({{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}});
+      plan.bottom = 0;
+      plan.top = 2;
+      random_parts::Outline circle;
+      for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        circle.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      }
+      plan.bottoms.push_back({circle, -1});
+      plan.tops.push_back({{{-4, -4}, {radius - depth, -4}, {radius - depth, 4}, {-4, 4}}, 3, true});
+      const auto part = random_parts::build(plan);
+      BOOST_TEST_REQUIRE(part.has_value());
+      expect_sound(hex_checks::mesh(random_parts::mesh<Point>(*part), {0, 0, 1}, 0.5), part->volume, 0.03);
+    }
 }
 
 // A stepped cavity over a ledge: at one of these sizes the layers that it asks for lose an outline, though the part

@@ -325,6 +325,23 @@ BOOST_AUTO_TEST_CASE(walls_that_narrow_to_a_point_are_no_first_choice) {
   BOOST_TEST(last_along(1) < last_along(2));
 }
 
+BOOST_AUTO_TEST_CASE(a_wall_that_narrows_to_a_point_between_caps_is_refused_by_name) {
+  // The gusset with a slope flat enough for a cap: beside it a wall ends where the slope meets the plate.
+  const auto file = read_part<Kernel::Point_3>(CCSWEEP_TEST_DATA "/gusset.ply");
+  BOOST_TEST_REQUIRE(file.ok());
+  auto mesh = file.value().mesh;
+  for (auto v : mesh.vertices())
+    if (Kernel::Point_3& p = mesh.point(v); p.x() == 4 && p.z() > 20 && p.z() < 25) p = {4, p.y(), 7};
+  const Part_type part = make_part<Kernel>(mesh, mesh.points(), file.value().patch_ids()).value();
+  for (double sense : {-1., 1.}) {
+    const Status status = assign_roles(part, Role_request{{0, 0, sense}, {}, {}}).status();
+    BOOST_TEST((status.code == Status_code::not_sweepable));
+    BOOST_TEST((status.patches == std::vector{6, 8, 9, 10}));
+    BOOST_TEST((status.reason.find("narrows to a point") != std::string::npos));
+  }
+  BOOST_TEST(assign_roles(part, Role_request{{0, 1, 0}, {}, {}}).ok());
+}
+
 BOOST_AUTO_TEST_CASE(a_knife_edge_is_refused_by_name) {
   // A wedge whose floor meets its roof: along z there is no wall between them.
   const Part_type part = part_of(prism({{0, 0}, {4, 0}, {4, 1}}));
@@ -348,6 +365,34 @@ BOOST_AUTO_TEST_CASE(a_fillet_between_cap_and_wall_is_refused_by_name) {
   BOOST_TEST((status.stage == Stage::roles));
   BOOST_TEST((status.patches == std::vector{2}));
   BOOST_TEST(assign_roles(part, Role_request{{0, 1, 0}, {}, {}}).ok());
+}
+
+BOOST_AUTO_TEST_CASE(slivers_do_not_make_a_wall_a_cap) {
+  // A cylinder with nodes on its wall just below the edges of its upper circle: that far out, they make facets as flat
+  // as a cap.
+  constexpr std::size_t n = 24;
+  Soup soup;
+  for (const auto& [z, turn] : {std::array{0., 0.}, {1.998, 0.5}, {2., 0.}})
+    for (std::size_t i = 0; i < n; ++i)
+      soup.points.push_back(
+          {std::cos(2 * pi * (double(i) + turn) / n), std::sin(2 * pi * (double(i) + turn) / n), z});
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c, int patch) {
+    soup.triangles.push_back({a, b, c});
+    soup.patch.push_back(patch);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    add(i, j, n + i, 0);
+    add(j, n + j, n + i, 0);
+    add(n + i, 2 * n + j, 2 * n + i, 0);
+    add(n + i, n + j, 2 * n + j, 0);
+    if (i == 0 || j == 0) continue;
+    add(0, j, i, 1);
+    add(2 * n, 2 * n + i, 2 * n + j, 2);
+  }
+  const Roles roles = roles_along(part_of(soup), {0, 0, 1});
+  BOOST_TEST((roles.of_patch == std::vector{Role::linking, Role::target, Role::source}));
+  BOOST_TEST(!roles.is_doubtful);
 }
 
 BOOST_AUTO_TEST_CASE(a_chamfer_of_coarse_facets_is_a_wall) {

@@ -46,6 +46,12 @@ Vec3 cap_normal(const Outline_corner& corner, const Plane_chart& plane, const Dr
   return unit(cross(place(from + third), place(from + 2 * third)));
 }
 
+/// The scaled Jacobian to ask of a mesh: as much as is wanted, or nearly what the angles allow.
+inline double attainable(const Angle_bound& bound, double wanted) {
+  constexpr double nearly = 0.9;
+  return std::min(wanted, nearly * bound.scaled_jacobian);
+}
+
 /// What the angles at a node on the outline of a cap allow. The hexahedra around the column of the node share the angle
 /// of the cap there. One alone has all three edges given. Of several the inner edges lie in the cap, whose normal is
 /// given, so that each has at most the sine of its share times that of the wall's slope. Where no wall is, the column

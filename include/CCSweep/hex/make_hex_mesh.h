@@ -61,7 +61,7 @@ class Hex_mesher {
     if (best.show(last, small_gain, acceptable)) return best.take();
     for (int i = 0; i < refinements; ++i) {
       last = mesh_all(changed, quarter);
-      if (best.show(last, large_gain, acceptable)) return best.take();
+      if (best.show(last, large_gain, acceptable) || best.has_grown()) return best.take();
       refine(stack_, last.quality, acceptable, last.outlines, changed);
     }
     if (best.empty()) refuse(last.quality);
@@ -92,33 +92,40 @@ class Hex_mesher {
     }
     std::vector<Patch_index> patch;       // by boundary quad
     std::vector<std::size_t> first{0};    // hexahedron, by cell
+    std::vector<Angle_bound> bounds;     // by cell
     Hex_builder builder(stack_, made.outlines, mesh, patch);
     for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
-      if (const Cell_mesh cell = mesh_cell(c, made.outlines, smallest); !cell.empty()) builder.add(c, cell);
+      bounds.push_back(bound_on(c, made.outlines));
+      if (const Cell_mesh cell = mesh_cell(c, made.outlines, attainable(bounds[c], acceptable), smallest);
+          !cell.empty())
+        builder.add(c, cell);
       first.push_back(mesh.hexes.size());
     }
-    mesh.bounds = tightest_by_volume(made.outlines);
+    mesh.bounds = tightest_by_volume(bounds);
     made.quality = least_by_cell(first, Hex_smoother(mesh, patch, drop_to_caps()).run(fine));
     made.outlines.move_to(mesh.points);
     return made;
   }
 
-  Cell_mesh mesh_cell(std::size_t c, const Cell_outlines& outlines, double smallest) const {
+  Cell_mesh mesh_cell(std::size_t c, const Cell_outlines& outlines, double wanted, double smallest) const {
     const Cell& cell = stack_.cells[c];
     const double size = size_between(sizing_, {stack_.id(cell.source), stack_.id(cell.target)});
     return Cell_mesher(stack_, c, outlines, drop_to(cell.target), drop_to(cell.source))
-        .run(mesh_quads_, size, acceptable, smallest);
+        .run(mesh_quads_, size, wanted, smallest);
   }
 
-  std::vector<Angle_bound> tightest_by_volume(const Cell_outlines& outlines) const {
+  Angle_bound bound_on(std::size_t c, const Cell_outlines& outlines) const {
+    const auto at = [&](Patch_index cap) { return bound_by_angles(stack_, c, cap, outlines, drop_to(cap)); };
+    const Angle_bound below = at(stack_.cells[c].target), above = at(stack_.cells[c].source);
+    return above.scaled_jacobian < below.scaled_jacobian ? above : below;
+  }
+
+  std::vector<Angle_bound> tightest_by_volume(const std::vector<Angle_bound>& by_cell) const {
     std::vector<Angle_bound> tightest(stack_.targets.size());
-    for (std::size_t c = 0; c < stack_.cells.size(); ++c) {
-      Angle_bound& of_volume = tightest[stack_.volume_of(stack_.cells[c])];
-      for (Patch_index cap : {stack_.cells[c].target, stack_.cells[c].source})
-        if (const Angle_bound found = bound_by_angles(stack_, c, cap, outlines, drop_to(cap));
-            found.scaled_jacobian < of_volume.scaled_jacobian)
-          of_volume = found;
-    }
+    for (std::size_t c = 0; c < stack_.cells.size(); ++c)
+      if (Angle_bound& of_volume = tightest[stack_.volume_of(stack_.cells[c])];
+          by_cell[c].scaled_jacobian < of_volume.scaled_jacobian)
+        of_volume = by_cell[c];
     return tightest;
   }
 

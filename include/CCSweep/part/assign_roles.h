@@ -8,6 +8,7 @@
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
 #include <CCSweep/part/candidate_axes.h>
+#include <CCSweep/part/patch_slope.h>
 #include <CCSweep/part/pointed_walls.h>
 #include <CCSweep/part/upright_axis.h>
 #include <CCSweep/part/walk_roles.h>
@@ -48,29 +49,6 @@ struct Axis_trial {
   double target_area = 0, objectionable_area = 0;
   int lowest_target = 0;
 };
-
-struct Patch_slope {
-  double low = 1, high = -1, mean = 0, area = 0;
-};
-
-template <class Traits>
-Patch_slope slope(const Part<Traits>& part, Patch_index patch, const Vec3& direction) {
-  Patch_slope s;
-  s.area = part.area_of_patch[patch.value()];
-  const double largest = part.area[part.largest_face[patch.value()]];
-  double area = 0;
-  for (auto f : part.facing(patch)) {
-    const double c = dot(part.normal[f], direction);
-    s.mean += part.area[f] * c;
-    area += part.area[f];
-    // The normal of a needle is noise.
-    if (part.area[f] < 1e-9 * largest) continue;
-    s.low = std::min(s.low, c);
-    s.high = std::max(s.high, c);
-  }
-  s.mean /= area;
-  return s;
-}
 
 // Steep perhaps, but nowhere along the sweep.
 inline bool is_across(const Patch_slope& s) {
@@ -118,6 +96,15 @@ void cap_ridges(const Part<Traits>& part, Axis_trial& trial) {
 }
 
 template <class Traits>
+void refuse_pointed_walls(const Part<Traits>& part, Axis_trial& trial) {
+  for (const auto& [wall, cap, other] : Pointed_wall_search(part, trial.roles).between_caps()) {
+    const std::vector<int> ids{part.id(wall), part.id(cap), part.id(other)};
+    trial.objections.push_back({ids, "patch " + std::to_string(ids[0]) + " narrows to a point between patches " +
+                                         std::to_string(ids[1]) + " and " + std::to_string(ids[2])});
+  }
+}
+
+template <class Traits>
 void count_targets(const Part<Traits>& part, Axis_trial& trial) {
   for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
     if (trial.roles.of_patch[p] != Role::target) continue;
@@ -126,6 +113,9 @@ void count_targets(const Part<Traits>& part, Axis_trial& trial) {
     trial.target_area += part.area_of_patch[p];
   }
 }
+
+// No wall is as steep, apart from those that chord errors leave.
+inline bool is_sliver_of_wall(double slope) { return std::abs(slope) > Role_limits::steepest_facet; }
 
 // Across a curve the roles must fit the angle there: caps of different kinds can't share an edge, and a wall that
 // leaves a cap without a bend has no edge to sweep along.
@@ -144,6 +134,7 @@ void check_curves(const Part<Traits>& part, Axis_trial& trial) {
         if (r != s) knife.insert(ids);
         continue;
       }
+      if (is_sliver_of_wall(dot(part.normal[g], trial.roles.direction))) continue;
       const double length = norm(part.coordinates(part.mesh.target(h)) - part.coordinates(part.mesh.source(h)));
       auto& [smooth, all] = tangent[ids];
       all += length;
@@ -167,7 +158,9 @@ Axis_trial try_axis(const Part<Traits>& part, const Vec3& direction) {
   if (trial.objections.empty()) cap_ridges(part, trial);
   count_targets(part, trial);
   if (trial.objections.empty()) check_curves(part, trial);
-  if (trial.objections.empty() && has_pointed_wall(part, trial.roles)) trial.roles.is_doubtful = true;
+  if (trial.objections.empty()) refuse_pointed_walls(part, trial);
+  if (trial.objections.empty() && Pointed_wall_search(part, trial.roles).between_walls())
+    trial.roles.is_doubtful = true;
   auto has = [&](Role role) {
     return std::find(trial.roles.of_patch.begin(), trial.roles.of_patch.end(), role) != trial.roles.of_patch.end();
   };

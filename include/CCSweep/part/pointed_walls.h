@@ -5,68 +5,78 @@
 
 #include <CCSweep/part/Part.h>
 #include <CCSweep/part/Roles.h>
+#include <CCSweep/part/Wall_edges.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CCSweep::internal {
 
 /// Finds linking faces that narrow to a point along a straight sweep, as the side of a gusset does where its slope runs
-/// into the wall behind: rows of quadrilaterals on such a face end in nothing.
+/// into the plate below or into the wall behind: rows of quadrilaterals on such a face end in nothing.
 template <class Traits>
 class Pointed_wall_search {
-  using Part_type = Part<Traits>;
-  using Halfedge = typename Part_type::Halfedge;
+  using Edges = Wall_edges<Traits>;
+  using Halfedge = typename Edges::Halfedge;
 
  public:
-  Pointed_wall_search(const Part_type& part, const Roles& roles) : part_(part), roles_(roles) {}
+  /// A wall, and two caps whose edges meet in its point.
+  using At_caps = std::array<Patch_index, 3>;
 
-  bool run() const {
-    for (std::size_t p = 0; p < part_.number_of_patches(); ++p) {
-      if (roles_.of_patch[p] != Role::linking) continue;
+  Pointed_wall_search(const Part<Traits>& part, const Roles& roles) : part_(part), edges_(part, roles) {}
+
+  /// Whether one lies between other walls.
+  bool between_walls() const {
+    for (std::size_t p = 0; p < part_.number_of_patches(); ++p)
       for (Halfedge h : part_.border[p])
         if (ends_in_point(h)) return true;
-    }
     return false;
   }
 
+  /// Those between caps, that meet in no edge that rises: each wall once.
+  std::vector<At_caps> between_caps() const {
+    std::vector<At_caps> found;
+    for (std::size_t p = 0; p < part_.number_of_patches(); ++p)
+      for (Halfedge h : part_.border[p])
+        if (const Halfedge next = next_on_border(h); is_between_caps(h, next)) {
+          found.push_back({Patch_index(p), beyond(h), beyond(next)});
+          break;
+        }
+    return found;
+  }
+
  private:
-  static constexpr double level = 0.1;  // sine of the angle up to which an edge neither rises nor falls
-  static constexpr double smooth = 30 * 3.14159265358979323846 / 180;
+  Patch_index beyond(Halfedge h) const { return edges_.patch(part_.mesh.opposite(h)); }
+  bool is_edge_of_cap(Halfedge h) const { return edges_.is_wall(h) && !edges_.is_wall(part_.mesh.opposite(h)); }
 
-  double rise(Halfedge h) const {
-    return dot(unit(part_.coordinates(part_.mesh.target(h)) - part_.coordinates(part_.mesh.source(h))),
-               roles_.direction);
-  }
-
-  bool is_wall(Halfedge h) const {
-    return roles_.of_patch[part_.patch(part_.mesh.face(h)).value()] == Role::linking;
-  }
-
-  // A wall that is cut into patches goes on beyond the edge between them.
-  bool is_edge_of_walls(Halfedge h) const {
-    const Halfedge back = part_.mesh.opposite(h);
-    return is_wall(h) && is_wall(back) &&
-           angle(part_.normal[part_.mesh.face(h)], part_.normal[part_.mesh.face(back)]) > smooth;
+  Halfedge next_on_border(Halfedge h) const {
+    Halfedge next = part_.mesh.next(h);
+    while (!part_.feature[part_.mesh.edge(next)]) next = part_.mesh.next(part_.mesh.opposite(next));
+    return next;
   }
 
   // Whether all edges of the patch at the target of h, from h to the next one on its border, come from one side.
   bool ends_in_point(Halfedge h) const {
-    const double up = rise(h);
-    if (!(up > level || up < -level) || !is_edge_of_walls(h)) return false;
+    const double up = edges_.rise(h);
+    if (!(up > Edges::level || up < -Edges::level) || !edges_.is_edge_of_walls(h)) return false;
     for (Halfedge next = part_.mesh.next(h);; next = part_.mesh.next(part_.mesh.opposite(next))) {
-      if (!(up > 0 ? rise(next) < -level : rise(next) > level)) return false;
-      if (part_.feature[part_.mesh.edge(next)]) return is_edge_of_walls(next);
+      if (!(up > 0 ? edges_.rise(next) < -Edges::level : edges_.rise(next) > Edges::level)) return false;
+      if (part_.feature[part_.mesh.edge(next)]) return edges_.is_edge_of_walls(next);
     }
   }
 
-  const Part_type& part_;
-  const Roles& roles_;
-};
+  // Whether the patch lies above one edge and below the other.
+  bool is_between_caps(Halfedge h, Halfedge next) const {
+    if (!is_edge_of_cap(h) || !is_edge_of_cap(next)) return false;
+    const double here = edges_.rise_inward(h), there = edges_.rise_inward(next);
+    return std::min(here, there) < -Edges::level && std::max(here, there) > Edges::level;
+  }
 
-template <class Traits>
-bool has_pointed_wall(const Part<Traits>& part, const Roles& roles) {
-  return Pointed_wall_search<Traits>(part, roles).run();
-}
+  const Part<Traits>& part_;
+  const Edges edges_;
+};
 
 }  // namespace CCSweep::internal
 
