@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random parts whose answer is known from the column picture: all are decomposed, and none is wrong.
-#include <CCSweep/decompose.h>
-#include <CCSweep/parameters.h>
 #include <CCSweep/verify.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include "bent_parts.h"
+#include "decompose_runs.h"
 #include "random_parts.h"
 
 namespace {
@@ -21,24 +20,10 @@ using random_parts::Part;
 constexpr std::uint32_t seeds = 40;  // of each family
 constexpr std::uint32_t seeds_moved = 5;
 
-// About a point of the mesh, as the sum about the origin cancels badly far from it.
-double volume_of(const Mesh& mesh) {
-  const Kernel::Point_3& apex = mesh.point(*mesh.vertices().begin());
-  double sum = 0;
-  for (Mesh::Face_index f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    sum += CGAL::volume(apex, mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                        mesh.point(mesh.target(mesh.next(h))));
-  }
-  return sum;
-}
-
 void expect_decomposed(const Part& part, const std::array<double, 3>& direction) {
   const Mesh mesh = random_parts::mesh<Kernel::Point_3>(part);
   const auto patch = mesh.property_map<Mesh::Face_index, int>("f:patch_id").first;
-  const auto result = CCSweep::decompose(
-      mesh,
-      CCSweep::parameters::direction(Kernel::Vector_3(direction[0], direction[1], direction[2])).face_patch_map(patch));
+  const auto result = decompose_runs::decompose(mesh, {direction});
   BOOST_TEST(result.ok(), name(result.status().code) << ": " << result.status().reason);
   if (!result.ok()) return;
   const auto& found = result.value();
@@ -48,7 +33,7 @@ void expect_decomposed(const Part& part, const std::array<double, 3>& direction)
     const auto expected = part.sub_volumes.find(volume.target);
     BOOST_TEST((expected != part.sub_volumes.end()));
     if (expected == part.sub_volumes.end()) continue;
-    BOOST_TEST(std::abs(volume_of(volume.mesh) - expected->second) < 1e-8 * part.volume);
+    BOOST_TEST(std::abs(decompose_runs::volume(volume.mesh) - expected->second) < 1e-8 * part.volume);
   }
   for (const auto& [id, role] : found.roles)
     BOOST_TEST((role == CCSweep::Role::source) == static_cast<bool>(part.sources.count(id)));
@@ -65,8 +50,7 @@ void expect_family_decomposed(Family family) {
 // Volumes change under most maps; how many there are, and how many sets, must not.
 void expect_counts(const Part& part, std::size_t volumes, std::size_t sets, const std::array<double, 3>& direction) {
   const Mesh mesh = random_parts::mesh<Kernel::Point_3>(part);
-  const auto patch = mesh.property_map<Mesh::Face_index, int>("f:patch_id").first;
-  const auto result = CCSweep::decompose(mesh, CCSweep::parameters::direction(direction).face_patch_map(patch));
+  const auto result = decompose_runs::decompose(mesh, {direction});
   BOOST_TEST(result.ok(), name(result.status().code) << ": " << result.status().reason);
   if (!result.ok()) return;
   BOOST_TEST(result.value().volumes.size() == volumes);

@@ -3,11 +3,11 @@
 #ifndef CCSWEEP_TEST_DECOMPOSE_RUNS_H
 #define CCSWEEP_TEST_DECOMPOSE_RUNS_H
 
-#include <CCSweep/decompose.h>
-#include <CCSweep/parameters.h>
-#include <CCSweep/verify.h>
-#include <CCSweep/visitor.h>
+#include <CCSweep/Status.h>
+#include <CCSweep/part/Roles.h>
+#include <CCSweep/volumes/Decomposition.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -78,17 +78,8 @@ struct Request {
   double spanning_angle = 60;
 };
 
-/// All parameters are given always, so that the library is compiled once.
-inline Outcome decompose(const Mesh& mesh, const Request& request, Recorder& recorder) {
-  const auto patch = mesh.property_map<Mesh::Face_index, int>("f:patch_id").first;
-  return CCSweep::decompose(mesh, CCSweep::parameters::direction(request.direction)
-                                      .sources(request.sources)
-                                      .targets(request.targets)
-                                      .layers(request.layers)
-                                      .spanning_angle(request.spanning_angle)
-                                      .visitor(std::ref(recorder))
-                                      .face_patch_map(patch));
-}
+/// In a file of its own and with all parameters, so that the library is compiled once.
+Outcome decompose(const Mesh& mesh, const Request& request, Recorder& recorder);
 
 inline Outcome decompose(const Mesh& mesh, const Request& request) {
   Recorder recorder;

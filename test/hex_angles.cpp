@@ -1,11 +1,8 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the angles of a part allow its hexahedra, and directions that suit a part or a sub-volume better than the first.
-#include <CCSweep/decompose.h>
 #include <CCSweep/hex/angle_bound.h>
 #include <CCSweep/hex/quality.h>
-#include <CCSweep/hex_mesh.h>
-#include <CCSweep/parameters.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -208,7 +205,7 @@ BOOST_AUTO_TEST_CASE(a_sub_volume_is_swept_in_the_direction_that_suits_it) {
   for (auto f : volume.mesh.faces()) role[f] = static_cast<int>(patch[f] == volume.target ? CCSweep::Role::target
                                                                                            : CCSweep::Role::linking);
   const auto own = hex_checks::mesh(volume.mesh, {0, 0, 1}, 2);
-  const auto found = CCSweep::hex_mesh(volume, CCSweep::parameters::size(2.0));
+  const auto found = hex_checks::mesh(volume, 2);
   expect_sound(found, hex_checks::volume_within(volume.mesh), 1e-6);
   BOOST_TEST(least_quality(found.value()) > 0.2);
   if (own) BOOST_TEST(least_quality(found.value()) > least_quality(own.value()));

@@ -4,8 +4,6 @@
 // a gap between its sub-volumes, or an element that is turned inside out, would not be.
 #include <CCSweep/IO/read_part.h>
 #include <CCSweep/IO/write_inp.h>
-#include <CCSweep/hex_mesh.h>
-#include <CCSweep/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -25,6 +23,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+
+#include "hex_checks.h"
 
 namespace {
 
@@ -99,9 +99,7 @@ BOOST_AUTO_TEST_CASE(a_linear_displacement_strains_constantly, *boost::unit_test
       CCSweep::read_part<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>(path + ".ply").value();
   const auto direction =
       nlohmann::json::parse(std::ifstream(path + ".json"))["sweep_direction"].get<std::array<double, 3>>();
-  const Hex_mesh mesh =
-      CCSweep::hex_mesh(part.mesh, CCSweep::parameters::direction(direction).size(6).face_patch_map(part.patch_ids()))
-          .value();
+  const Hex_mesh mesh = hex_checks::mesh(part.mesh, direction, 6).value();
   BOOST_TEST(mesh.targets.size() > 1);
 
   const fs::path folder = fs::temp_directory_path() / ("ccsweep_ccx_" + std::to_string(std::random_device()()));

@@ -3,11 +3,12 @@
 #ifndef CCSWEEP_TEST_HEX_CHECKS_H
 #define CCSWEEP_TEST_HEX_CHECKS_H
 
+#include <CCSweep/Status.h>
 #include <CCSweep/hex/Hex_mesh.h>
 #include <CCSweep/hex/quality.h>
-#include <CCSweep/hex_mesh.h>
-#include <CCSweep/parameters.h>
+#include <CCSweep/volumes/Decomposition.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 
@@ -107,12 +108,14 @@ double volume_within(const Mesh& mesh) {
   return sum;
 }
 
-/// Meshes a part with the face property `f:patch_id`; the direction of nothing lets the part choose its own.
-template <class Mesh>
-CCSweep::Result<Hex_mesh> mesh(const Mesh& part, const std::array<double, 3>& direction, double size) {
-  const auto patch = part.template property_map<typename Mesh::Face_index, int>("f:patch_id").first;
-  return CCSweep::hex_mesh(part, CCSweep::parameters::direction(direction).size(size).face_patch_map(patch));
-}
+using Part_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+/// Meshes a part with the face property `f:patch_id`; the direction of nothing lets the part choose its own. In a file
+/// of its own, so that the library is compiled once.
+CCSweep::Result<Hex_mesh> mesh(const Part_mesh& part, const std::array<double, 3>& direction, double size);
+
+/// Meshes a sub-volume by itself.
+CCSweep::Result<Hex_mesh> mesh(const CCSweep::Sub_volume<Part_mesh::Point>& volume, double size);
 
 /// Expects a mesh without defects, the volume of which is right but for a share.
 inline void expect_sound(const CCSweep::Result<Hex_mesh>& result, double volume_expected, double share) {

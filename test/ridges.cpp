@@ -1,9 +1,6 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roofs, keels and grooves whose slopes are too steep for caps by themselves, on walls of few large facets.
-#include <CCSweep/decompose.h>
-#include <CCSweep/parameters.h>
-
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <boost/test/unit_test.hpp>
@@ -15,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "decompose_runs.h"
 #include "hex_checks.h"
 #include "prisms.h"
 
@@ -49,11 +47,7 @@ void expect_whole(const Outcome& found, std::size_t count, double volume) {
   BOOST_TEST(std::abs(sum - volume) < 1e-9 * volume);
 }
 
-auto decomposed(const prisms::Mesh& mesh) {
-  const auto patch = mesh.property_map<prisms::Mesh::Face_index, int>("f:patch_id").first;
-  const std::array<double, 3> up{0, 0, 1};
-  return CCSweep::decompose(mesh, CCSweep::parameters::direction(up).face_patch_map(patch));
-}
+auto decomposed(const prisms::Mesh& mesh) { return decompose_runs::decompose(mesh, {{0, 0, 1}}); }
 
 }  // namespace
 
