@@ -310,6 +310,42 @@ BOOST_AUTO_TEST_CASE(caps_are_told_from_walls_and_fewest_targets_come_first) {
     BOOST_TEST(count(all[i - 1], Role::target) <= count(all[i], Role::target));
 }
 
+BOOST_AUTO_TEST_CASE(an_axis_is_found_where_no_cap_and_no_cylinder_tells_it) {
+  // Twelve planar walls about a round hole, the facets of which lean as its ends are turned against each other; both
+  // caps bend.
+  constexpr std::size_t n = 12;
+  Soup soup;
+  const auto add_ring = [&](double radius, double height, double turned) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double t = 2 * pi * (double(i) + turned) / n, x = radius * std::cos(t);
+      soup.points.push_back({x, radius * std::sin(t), height + 0.03 * x * x});
+    }
+  };
+  const auto add_strip = [&](std::size_t from, std::size_t to, const auto& patch_of) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      soup.triangles.push_back({from * n + i, from * n + j, to * n + j});
+      soup.triangles.push_back({from * n + i, to * n + j, to * n + i});
+      soup.patch.insert(soup.patch.end(), 2, patch_of(i));
+    }
+  };
+  const auto one = [](int patch) { return [patch](std::size_t) { return patch; }; };
+  add_ring(6, 0, 0);
+  add_ring(6, 1, 0);
+  add_ring(3, 1, 0.5);
+  add_ring(3, 0, 0);
+  add_strip(0, 1, [](std::size_t i) { return static_cast<int>(i); });
+  add_strip(1, 2, one(12));
+  add_strip(2, 3, one(13));
+  add_strip(3, 0, one(14));
+  const auto all = assign_roles(part_of(soup), {}).value();
+  BOOST_TEST(all.size() == 2u);
+  for (const Roles& roles : all) {
+    BOOST_TEST(std::abs(roles.direction[2]) == 1., boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(count(roles, Role::linking) == 13u);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(walls_that_narrow_to_a_point_are_no_first_choice) {
   // A gusset between a plate and a wall: up the wall there is one target only, but the gusset's sides end in nothing.
   const auto file = read_part<Kernel::Point_3>(CCSWEEP_TEST_DATA "/gusset.ply");

@@ -17,6 +17,8 @@
 #include <CCSweep/part/Roles.h>
 #include <CCSweep/visitor.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -121,7 +123,7 @@ class Layer_sweeper {
     draw_caps(layer, drawn);
     visitor_.drawn(layer.value(), drawn.drawing(), part_.patch_id);
     Result<Imprint<Traits>> imprint = imprint_layer<Traits, SegmentIndex>(drawn.drawing(), tolerance_);
-    if (!imprint) fail_with_patch_ids(imprint.status(), layer);
+    if (!imprint) fail_on_part(imprint.status(), layer, drawn);
     if (layering_.level(layer).is_valid()) visitor_.imprinted(layer.value(), imprint.value().graph);
     note(layer, imprint.value());
     Imprinted_layer<Traits> imprinted(part_, chart, drawn, imprint.value(), loops_);
@@ -263,12 +265,23 @@ class Layer_sweeper {
       loops_.notes.push_back(where + "nothing is left of patch " + std::to_string(part_.patch_id[patch]));
   }
 
-  // The labels of a layer are patch indices; users know patch ids.
-  [[noreturn]] void fail_with_patch_ids(Status status, Layer_index layer) const {
+  // The labels of a layer are patch indices, and a place on it is one of its chart; users know patch ids and space.
+  [[noreturn]] void fail_on_part(Status status, Layer_index layer, const Drawn_layer<Traits>& drawn) const {
     for (int& p : status.patches) p = part_.patch_id[p];
+    if (status.place && !drawn.nodes().empty()) status.place = nearest_node(drawn, *status.place);
     status.reason = "layer " + std::to_string(layer.value()) + " at " + std::to_string(layering_.value(layer)) + ": " +
                     status.reason;
     throw Failure{std::move(status)};
+  }
+
+  static Vec3 nearest_node(const Drawn_layer<Traits>& drawn, const Vec3& on_chart) {
+    const auto& nodes = drawn.drawing().nodes;
+    const auto distance = [&](const auto& node) {
+      return std::hypot(CGAL::to_double(node.point.x()) - on_chart[0], CGAL::to_double(node.point.y()) - on_chart[1]);
+    };
+    const auto nearest = std::min_element(nodes.begin(), nodes.end(),
+                                          [&](const auto& l, const auto& r) { return distance(l) < distance(r); });
+    return drawn.coordinates(drawn.nodes()[nearest - nodes.begin()]);
   }
 
   const Part<Traits>& part_;

@@ -235,6 +235,18 @@ std::vector<Vec3> axes_to_try(const Part<Traits>& part, const Role_request& requ
   return {best ? *best : without_dust(wanted)};
 }
 
+template <class Traits>
+void try_axes(const Part<Traits>& part, const Role_request& request, const std::vector<Vec3>& axes,
+              std::vector<Axis_trial>& sweepable, std::vector<Axis_trial>& refused) {
+  for (const Vec3& axis : axes) {
+    Axis_trial trial = along_walls(part, try_axis(part, axis));
+    const auto is_same = [&](const Axis_trial& known) { return known.roles.direction == trial.roles.direction; };
+    if (std::any_of(sweepable.begin(), sweepable.end(), is_same)) continue;
+    if (trial.objections.empty()) compare_with_request(part, request, trial);
+    (trial.objections.empty() ? sweepable : refused).push_back(std::move(trial));
+  }
+}
+
 // Where no straight sweep fits, every planar patch may be the first target of one that bends.
 template <class Traits>
 std::vector<Axis_trial> try_bent_sweeps(const Part<Traits>& part, const Role_request& request) {
@@ -310,13 +322,9 @@ Result<std::vector<Roles>> assign_roles(const Part<Traits>& part, const Role_req
     using namespace internal;
     check_request(part, request);
     std::vector<Axis_trial> sweepable, refused;
-    for (const Vec3& axis : axes_to_try(part, request)) {
-      Axis_trial trial = along_walls(part, try_axis(part, axis));
-      const auto is_same = [&](const Axis_trial& known) { return known.roles.direction == trial.roles.direction; };
-      if (std::any_of(sweepable.begin(), sweepable.end(), is_same)) continue;
-      if (trial.objections.empty()) compare_with_request(part, request, trial);
-      (trial.objections.empty() ? sweepable : refused).push_back(std::move(trial));
-    }
+    try_axes(part, request, axes_to_try(part, request), sweepable, refused);
+    if (sweepable.empty() && !request.has_direction())
+      try_axes(part, request, axes_along_planar_patches(part), sweepable, refused);
     if (sweepable.empty()) sweepable = try_bent_sweeps(part, request);
     if (sweepable.empty()) {
       if (refused.empty())

@@ -7,6 +7,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CCSweep {
@@ -38,6 +41,38 @@ inline Vec3 without_dust(Vec3 axis) {
   return unit(axis);
 }
 
+// Axes, each once.
+class Distinct_axes {
+ public:
+  void add(Vec3 axis) {
+    constexpr double same = 1e-4;  // radians
+    axis = without_dust(axis);
+    for (const Vec3& known : axes_)
+      if (norm(cross(known, axis)) < same) return;
+    axes_.push_back(axis);
+  }
+
+  template <class Traits>
+  void add_planar_patches(const Part<Traits>& part) {
+    for (std::size_t p = 0; p < part.number_of_patches(); ++p)
+      if (part.planar[p]) add(part.normal[part.largest_face[p]]);
+  }
+
+  const std::vector<Vec3>& axes() const { return axes_; }
+
+  std::vector<Vec3> in_both_senses() const {
+    std::vector<Vec3> both;
+    for (const Vec3& axis : axes_) {
+      both.push_back(axis);
+      both.push_back(reversed(axis));
+    }
+    return both;
+  }
+
+ private:
+  std::vector<Vec3> axes_;
+};
+
 }  // namespace internal
 
 /// The directions a part may be swept along: the normals of its planar patches and the axes of its cylindrical ones,
@@ -46,26 +81,28 @@ inline Vec3 without_dust(Vec3 axis) {
 template <class Traits>
 std::vector<std::array<double, 3>> candidate_axes(const Part<Traits>& part) {
   using namespace internal;
-  constexpr double same = 1e-4;  // radians
-  std::vector<Vec3> axes;
-  auto add = [&](Vec3 axis) {
-    axis = without_dust(axis);
-    for (const Vec3& known : axes)
-      if (norm(cross(known, axis)) < same) return;
-    axes.push_back(axis);
-  };
-  for (std::size_t p = 0; p < part.number_of_patches(); ++p)
-    if (part.planar[p]) add(part.normal[part.largest_face[p]]);
+  Distinct_axes found;
+  found.add_planar_patches(part);
   for (std::size_t p = 0; p < part.number_of_patches(); ++p) {
     Vec3 axis;
-    if (!part.planar[p] && fit_axis(part, Patch_index(p), axis)) add(axis);
+    if (!part.planar[p] && fit_axis(part, Patch_index(p), axis)) found.add(axis);
   }
-  std::vector<Vec3> both;
-  for (const Vec3& axis : axes) {
-    both.push_back(axis);
-    both.push_back(reversed(axis));
-  }
-  return both;
+  return found.in_both_senses();
+}
+
+/// Further directions, for a part all caps of which bend: those along two of its planar patches, which then are walls.
+/// Of planar patches with more than eight normals the first ones count. Complexity: as `candidate_axes()`.
+template <class Traits>
+std::vector<std::array<double, 3>> axes_along_planar_patches(const Part<Traits>& part) {
+  using namespace internal;
+  constexpr std::size_t most = 8;
+  constexpr double least = 0.1;  // sine of the angle between two patches that tell a direction
+  Distinct_axes normals, found;
+  normals.add_planar_patches(part);
+  for (std::size_t i = 0; i < std::min(normals.axes().size(), most); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const Vec3 along = cross(normals.axes()[j], normals.axes()[i]); norm(along) > least) found.add(along);
+  return found.in_both_senses();
 }
 
 }  // namespace CCSweep
