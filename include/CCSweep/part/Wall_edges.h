@@ -8,7 +8,7 @@
 
 namespace CCSweep::internal {
 
-/// How the edges of linking faces lie to the sweep.
+/// How the edges of linking faces lie to a straight sweep.
 template <class Traits>
 class Wall_edges {
   using Part_type = Part<Traits>;
@@ -33,19 +33,14 @@ class Wall_edges {
 
   double rise(Halfedge h) const { return dot(unit(along(h)), roles_.direction); }
   /// The rise within the face of a halfedge, away from it.
-  double rise_inward(Halfedge h) const { return dot(inward(h), roles_.direction); }
-  /// The same from the cap beyond the halfedge, and over that cap: for a sweep that bends too.
-  double rise_from_cap(Halfedge h) const {
-    const Halfedge back = part_.mesh.opposite(h);
-    const double out = dot(inward(h), part_.normal[part_.mesh.face(back)]);
-    return roles_.of_patch[patch(back).value()] == Role::source ? out : -out;
+  double rise_inward(Halfedge h) const {
+    return dot(unit(cross(part_.normal[part_.mesh.face(h)], along(h))), roles_.direction);
   }
 
  private:
   Vec3 along(Halfedge h) const {
     return part_.coordinates(part_.mesh.target(h)) - part_.coordinates(part_.mesh.source(h));
   }
-  Vec3 inward(Halfedge h) const { return unit(cross(part_.normal[part_.mesh.face(h)], along(h))); }
 
   const Part_type& part_;
   const Roles& roles_;

@@ -270,7 +270,6 @@ std::vector<Axis_trial> try_bent_sweeps(const Part<Traits>& part, const Role_req
     count_targets(part, trial);
     for (std::size_t q = 0; q < part.number_of_patches(); ++q)
       if (trial.roles.of_patch[q] == Role::target) known_targets.insert(q);
-    refuse_pointed_walls(part, trial);
     compare_with_request(part, request, trial);
     if (trial.objections.empty()) sweepable.push_back(std::move(trial));
   }

@@ -14,7 +14,7 @@
 
 namespace CCSweep::internal {
 
-/// Finds linking faces that narrow to a point along the sweep, as the side of a gusset does where its slope runs
+/// Finds linking faces that narrow to a point along a straight sweep, as the side of a gusset does where its slope runs
 /// into the plate below or into the wall behind: rows of quadrilaterals on such a face end in nothing.
 template <class Traits>
 class Pointed_wall_search {
@@ -27,7 +27,7 @@ class Pointed_wall_search {
 
   Pointed_wall_search(const Part<Traits>& part, const Roles& roles) : part_(part), edges_(part, roles) {}
 
-  /// Whether one lies between other walls; of a straight sweep only.
+  /// Whether one lies between other walls.
   bool between_walls() const {
     for (std::size_t p = 0; p < part_.number_of_patches(); ++p)
       for (Halfedge h : part_.border[p])
@@ -70,7 +70,7 @@ class Pointed_wall_search {
   // Whether the patch lies above one edge and below the other.
   bool is_between_caps(Halfedge h, Halfedge next) const {
     if (!is_edge_of_cap(h) || !is_edge_of_cap(next)) return false;
-    const double here = edges_.rise_from_cap(h), there = edges_.rise_from_cap(next);
+    const double here = edges_.rise_inward(h), there = edges_.rise_inward(next);
     return std::min(here, there) < -Edges::level && std::max(here, there) > Edges::level;
   }
 
