@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random parts whose answer is known from the column picture: all are decomposed, and none is wrong.
+#include <CCSweep/linking/Layering.h>
 #include <CCSweep/verify.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -20,10 +21,16 @@ using random_parts::Part;
 constexpr std::uint32_t seeds = 40;  // of each family
 constexpr std::uint32_t seeds_moved = 5;
 
+// As for a user who names nothing but the direction.
+auto decomposed(const Mesh& mesh, const std::array<double, 3>& direction) {
+  return decompose_runs::decompose(
+      mesh, {.direction = direction, .spanning_angle = CCSweep::Layering_options().spanning_angle});
+}
+
 void expect_decomposed(const Part& part, const std::array<double, 3>& direction) {
   const Mesh mesh = random_parts::mesh<Kernel::Point_3>(part);
   const auto patch = mesh.property_map<Mesh::Face_index, int>("f:patch_id").first;
-  const auto result = decompose_runs::decompose(mesh, {direction});
+  const auto result = decomposed(mesh, direction);
   BOOST_TEST(result.ok(), name(result.status().code) << ": " << result.status().reason);
   if (!result.ok()) return;
   const auto& found = result.value();
@@ -50,7 +57,7 @@ void expect_family_decomposed(Family family) {
 // Volumes change under most maps; how many there are, and how many sets, must not.
 void expect_counts(const Part& part, std::size_t volumes, std::size_t sets, const std::array<double, 3>& direction) {
   const Mesh mesh = random_parts::mesh<Kernel::Point_3>(part);
-  const auto result = decompose_runs::decompose(mesh, {direction});
+  const auto result = decomposed(mesh, direction);
   BOOST_TEST(result.ok(), name(result.status().code) << ": " << result.status().reason);
   if (!result.ok()) return;
   BOOST_TEST(result.value().volumes.size() == volumes);

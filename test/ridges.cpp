@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CCSweep authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roofs, keels and grooves whose slopes are too steep for caps by themselves, on walls of few large facets.
+#include <CCSweep/linking/Layering.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <boost/test/unit_test.hpp>
@@ -47,7 +48,10 @@ void expect_whole(const Outcome& found, std::size_t count, double volume) {
   BOOST_TEST(std::abs(sum - volume) < 1e-9 * volume);
 }
 
-auto decomposed(const prisms::Mesh& mesh) { return decompose_runs::decompose(mesh, {{0, 0, 1}}); }
+auto decomposed(const prisms::Mesh& mesh) {
+  return decompose_runs::decompose(
+      mesh, {.direction = {0, 0, 1}, .spanning_angle = CCSweep::Layering_options().spanning_angle});
+}
 
 }  // namespace
 
