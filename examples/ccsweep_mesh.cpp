@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace program {
 namespace {
@@ -33,6 +36,18 @@ CCSweep::Patch_sizes sizes(const Options& options) {
   return sizes;
 }
 
+// A size for a patch that is not there would be lost without a word.
+Status check_sizes(const Options& options, const std::set<int>& known) {
+  std::vector<int> named;
+  for (const auto& size : options.patch_sizes) named.push_back(size.first);
+  for (const auto& size : options.curve_sizes) named.insert(named.end(), {size.first.first, size.first.second});
+  for (int id : named)
+    if (known.count(id) == 0)
+      return {Status_code::invalid_parameter, Stage::hex_mesh, {id}, {},
+              "--size-on: there is no patch " + std::to_string(id)};
+  return {};
+}
+
 // What holds whatever the roles.
 auto mesh_parameters(const Options& options, Progress& progress) {
   return CCSweep::parameters::tolerance(options.tolerance)
@@ -45,6 +60,9 @@ auto mesh_parameters(const Options& options, Progress& progress) {
 Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
   const auto part = CCSweep::read_part<Point>(options.part, {true, options.angle});
   if (!part) return part.status();
+  std::set<int> known;
+  for (auto f : part.value().mesh.faces()) known.insert(get(part.value().patch_ids(), f));
+  if (Status status = check_sizes(options, known); !status.ok()) return status;
   // A sub-volume knows its caps and its direction, but may have another one that suits it better.
   const bool is_free =
       options.sources.empty() && options.targets.empty() && options.direction == std::array<double, 3>{};
@@ -58,6 +76,12 @@ Result<Hex_mesh> mesh_part(const Options& options, Progress& progress) {
 Result<Hex_mesh> mesh_folder(const Options& options, Progress& progress) {
   const auto decomposition = CCSweep::read_volumes<Point>(options.part);
   if (!decomposition) return decomposition.status();
+  std::set<int> known;
+  for (const auto& volume : decomposition.value().volumes) {
+    const auto patch = volume.mesh.property_map<CGAL::SM_Face_index, int>(volume.patch_id_map).first;
+    for (auto f : volume.mesh.faces()) known.insert(patch[f]);
+  }
+  if (Status status = check_sizes(options, known); !status.ok()) return status;
   return CCSweep::hex_mesh(decomposition.value(), mesh_parameters(options, progress));
 }
 

@@ -374,7 +374,7 @@ function(mesh_refused)
   set(part ${DATA}/cylinder.ply)
   file(WRITE ${SCRATCH}/old.vtu "old")
   foreach(line IN ITEMS "--size;0" "--size;-1" "--size;nan" "--size;large" "--size;1e-6" "" "--size;2;--size-on;3"
-      "--size;2;--size-on;3=0" "--size;2;--size-on;1,2,3=1")
+      "--size;2;--size-on;3=0" "--size;2;--size-on;1,2,3=1" "--size;2;--size-on;99=1" "--size;2;--size-on;0,99=1")
     run(mesh ${part} ${line} --out old.vtu)
     if(NOT exit EQUAL 2 OR NOT err MATCHES "size")
       message(SEND_ERROR "'${line}' ended with ${exit}, not 2, and said '${err}'")
